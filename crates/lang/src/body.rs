@@ -70,6 +70,14 @@ impl CheckedBody {
         ask!(self, block => block.value_in(text))
     }
 
+    /// The statement of STL that an element of a diagram stands for; `None` where the source has the statement itself.
+    pub fn stated(&self, statement: u32) -> Option<&str> {
+        match self {
+            Self::Stl(block) => block.stated(statement),
+            Self::St(_) => None,
+        }
+    }
+
     /// Whether its variables are called by their names alone, without `#`.
     pub fn has_bare_names(&self) -> bool {
         ask!(self, block => block.has_bare_names())

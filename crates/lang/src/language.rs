@@ -34,7 +34,7 @@ pub struct Row {
     /// The text of a source in the usual layout.
     pub format: fn(&str, Language, Option<Mnemonics>) -> Rewritten,
     /// The text of a source in the other mnemonic language: from one, if it is known, to another. What has no mnemonics stays as it is.
-    pub convert: fn(&str, Option<Mnemonics>, Mnemonics) -> Rewritten,
+    pub convert: fn(&str, Language, Option<Mnemonics>, Mnemonics) -> Rewritten,
 }
 
 /// An ending of files.
@@ -56,12 +56,12 @@ pub const LANGUAGES: &[Row] = &[
     Row {
         endings: &[ending("awl", Language::Stl, true), ending("stl", Language::Stl, true)],
         format: |text, _, mnemonics| stl::format(text, mnemonics),
-        convert: stl::convert::convert,
+        convert: |text, language, from, to| stl::convert::convert_as(text, from, to, language.drawing()),
     },
     Row {
         endings: &[ending("lad", Language::Diagram(Drawing::Lad), true), ending("fbd", Language::Diagram(Drawing::Fbd), true)],
         format: |text, language, mnemonics| stl::format::format_as(text, mnemonics, language.drawing()),
-        convert: stl::convert::convert,
+        convert: |text, language, from, to| stl::convert::convert_as(text, from, to, language.drawing()),
     },
     Row {
         endings: &[
@@ -77,7 +77,7 @@ pub const LANGUAGES: &[Row] = &[
             ending("db", Language::St(Dialect::Scl), false),
         ],
         format: |text, language, _| st::format(text, language.dialect().unwrap_or_default()),
-        convert: |text, _, _| Ok(text.to_owned()),
+        convert: |text, _, _, _| Ok(text.to_owned()),
     },
 ];
 

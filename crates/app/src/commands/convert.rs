@@ -61,8 +61,11 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         Target::De => Mnemonics::German,
     };
     let from = arguments.from.map(MnemonicsArgument::language);
-    Rewriting { destination, utf8: arguments.utf8, encoding: arguments.encoding.chosen(), done: "converted" }
-        .run(&arguments.paths, |project, source| {
-            (source.language(None).row().convert)(&source.decoded.text, from.unwrap_or(project.settings.mnemonics), to)
-        })
+    Rewriting { destination, utf8: arguments.utf8, encoding: arguments.encoding.chosen(), done: "converted" }.run(
+        &arguments.paths,
+        |project, source| {
+            let language = source.language(None);
+            (language.row().convert)(&source.decoded.text, language, from.unwrap_or(project.settings.mnemonics), to)
+        },
+    )
 }

@@ -79,7 +79,12 @@ impl<'b> Listing<'b> {
     pub(crate) fn line(&self, place: FaultPlace) -> Line {
         let span = self.span(place).unwrap_or_default();
         let known = self.span(place).is_some();
-        let text = if known && is_written(self.build, place) { self.places.text(span) } else { END_OF_BLOCK[0].to_owned() };
+        let stated = self.build.compiled.bodies.get(&place.block).and_then(|body| body.stated(place.statement));
+        let text = match (known && is_written(self.build, place), stated) {
+            (true, Some(stated)) => stated.to_owned(),
+            (true, None) => self.places.text(span),
+            (false, _) => END_OF_BLOCK[0].to_owned(),
+        };
         Line {
             place,
             block: place.block.to_string(),

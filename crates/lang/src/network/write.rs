@@ -285,10 +285,9 @@ impl Writer<'_> {
                 self.input(&OR, &branch.line, false, source);
                 continue;
             }
-            // Branches up to the last one that holds an edge stand in brackets, the first one excepted.
-            let plain = last_edge.is_none_or(|last| index > last) && !branch.line.iter().any(|one| one.kind.is_box());
+            let plain = may_stand_bare(branch, index, last_edge);
             self.place = branch.line.first().map_or(self.place, |one| one.place);
-            if branch.bracketed || !(index == 0 || plain) {
+            if branch.bracketed || !plain {
                 self.put("O(", "");
                 self.value(&branch.line, Then::Output, source.inside());
                 self.put(")", "");
@@ -467,6 +466,12 @@ impl Checks {
         let [.., plain, not] = self.0;
         if negated { not } else { plain }
     }
+}
+
+/// A branch of several elements needs no bracket of its own. Those up to the last one that holds an edge have one, the first one excepted;
+/// so has one with NOT, a midline output or a box, which would act on the branches before it as well.
+pub(super) fn may_stand_bare(branch: &Branch, index: usize, last_edge: Option<usize>) -> bool {
+    index == 0 || (last_edge.is_none_or(|last| index > last) && !branch.line.iter().any(|one| one.kind.acts_on_line()))
 }
 
 fn edge(falling: bool) -> &'static str {

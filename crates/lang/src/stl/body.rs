@@ -38,6 +38,10 @@ impl ResolvedBlock {
         text.split_once(' ').map(|(_, operand)| operand.trim())
     }
 
+    pub(crate) fn stated(&self, statement: u32) -> Option<&str> {
+        self.statements.get(statement as usize)?.stated.as_deref()
+    }
+
     pub(crate) fn has_bare_names(&self) -> bool {
         false
     }

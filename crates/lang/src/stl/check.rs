@@ -7,6 +7,7 @@ mod temporaries;
 mod traps;
 
 use std::collections::HashMap;
+use std::sync::Arc;
 
 use sieben_model::address::Area;
 use sieben_model::block::{BlockId, BlockKind};
@@ -19,6 +20,7 @@ use sieben_model::problems::Problem;
 use sieben_model::source::Span;
 
 use super::ast;
+use super::diagrams::first_scratch_bit;
 use super::extension;
 use super::instructions::Instruction;
 use super::lower::{ResolvedBlock, Statement};
@@ -79,13 +81,14 @@ pub(crate) fn block(
         // The place of a statement that is wrong stays taken, so that labels keep their numbers.
         let (instruction, operand) = chosen.unwrap_or((Instruction::Nop0, Operand::Constant(Value::Int(0))));
         let origin = origin(source, index, network, statements.last());
-        statements.push(Statement { instruction, operand, origin });
+        let stated = origin.element().map(|_| stated(known, id, interface, statement));
+        statements.push(Statement { instruction, operand, origin, stated });
         types.push(resolver.declared.take());
     }
     // A label at the end of the block stands before its end.
     if let Some(span) = labels.at_end {
         let origin = Origin::Text { span, network: network.max(1) };
-        statements.push(Statement { instruction: Instruction::BlockEnd, operand: Operand::None, origin });
+        statements.push(Statement { instruction: Instruction::BlockEnd, operand: Operand::None, origin, stated: None });
         types.push(None);
     }
     diagnostics.append(&mut resolver.diagnostics);
@@ -118,6 +121,30 @@ fn origin(source: &ast::Block, index: usize, network: u32, before: Option<&State
         _ => 1,
     };
     Origin::Element { span, network, element }
+}
+
+/// The statement that an element of a diagram stands for, as it would be written.
+fn stated(known: &Known<'_>, id: BlockId, interface: &Interface, statement: &ast::Statement) -> Arc<str> {
+    let mnemonic = &statement.mnemonic.text;
+    let operand = match &statement.operand {
+        ast::Operand::None => String::new(),
+        ast::Operand::Scratch { bit } => {
+            let bit = u64::from(first_scratch_bit(interface, id.kind)) + u64::from(*bit);
+            format!("L {}.{}", bit / 8, bit % 8)
+        }
+        // Labels that boxes need are called otherwise inside, so that nothing that is written can name them.
+        ast::Operand::Name { word, .. } => word.text.replacen('·', "_", 1),
+        ast::Operand::Constant(ast::Constant { value: Some(Value::Int(number)), span, .. }) if *span == statement.span => {
+            number.to_string()
+        }
+        ast::Operand::Call(call) => {
+            let slice = |span: Span| known.sources.slice(span).trim();
+            let instance = call.instance.as_ref().map(|(_, span)| format!(", {}", slice(*span))).unwrap_or_default();
+            format!("{}{instance}", slice(call.callee_span))
+        }
+        _ => known.sources.slice(statement.operand_span).split_whitespace().collect::<Vec<_>>().join(" "),
+    };
+    format!("{mnemonic} {operand}").trim_end().into()
 }
 
 /// A block whose statements were looked at.

@@ -7,16 +7,23 @@ use sieben_model::problems::Problem;
 use sieben_model::source::FileId;
 
 use super::extension::translate_status_bit;
+use super::lexer::{Raw, token};
 use super::mnemonics::{translate_instruction, translate_letters, translate_status};
-use super::parser::parse;
+use super::parser::parse_as;
 use super::syntax::{SyntaxKind, SyntaxToken};
+use crate::network::flavour::Drawing;
 
 /// The source in the language `to`. Words that already are in it stay as they are.
 ///
 /// Without `from` the language is judged. Errors of syntax are returned instead, because words next to them
 /// might be taken for the wrong thing; a statement in the other language and a misprint are none of them.
 pub fn convert(text: &str, from: Option<Mnemonics>, to: Mnemonics) -> Result<String, Vec<Diagnostic>> {
-    let parsed = parse(FileId::default(), text, from);
+    convert_as(text, from, to, None)
+}
+
+/// The same for a source whose networks are drawn, unless they say something else.
+pub fn convert_as(text: &str, from: Option<Mnemonics>, to: Mnemonics, drawing: Option<Drawing>) -> Result<String, Vec<Diagnostic>> {
+    let parsed = parse_as(FileId::default(), text, from, drawing);
     let errors: Vec<Diagnostic> = parsed.diagnostics.iter().filter(|diagnostic| stops_rewriting(diagnostic)).cloned().collect();
     if !errors.is_empty() {
         return Err(errors);
@@ -33,6 +40,35 @@ pub fn convert(text: &str, from: Option<Mnemonics>, to: Mnemonics) -> Result<Str
     Ok(out)
 }
 
+/// The addresses of a diagram in another language; its words are the same in both.
+fn diagram(text: &str, to: Mnemonics) -> Option<String> {
+    let mut out = String::with_capacity(text.len());
+    let mut position = 0;
+    loop {
+        let (raw, end) = token(text, position);
+        let word = &text[position..end];
+        if raw == Raw::End {
+            return Some(out);
+        }
+        let mut next = end;
+        while let (Raw::Blank, behind) = token(text, next) {
+            next = behind;
+        }
+        let letters = word.trim_end_matches(|sign: char| sign.is_ascii_digit());
+        let numbered = letters.len() < word.len() || matches!(token(text, next).0, Raw::Number);
+        let right = match raw {
+            Raw::Word if numbered => translate_letters(letters, to.other()),
+            Raw::Word => translate_status(word, to.other()),
+            _ => None,
+        };
+        match right {
+            Some(right) => out.push_str(&(right.to_owned() + &word[letters.len()..])),
+            None => out.push_str(word),
+        }
+        position = end;
+    }
+}
+
 /// Whether a source with this diagnostic is not rewritten.
 pub(super) fn stops_rewriting(diagnostic: &Diagnostic) -> bool {
     diagnostic.severity() == Severity::Error
@@ -43,6 +79,7 @@ pub(super) fn stops_rewriting(diagnostic: &Diagnostic) -> bool {
 fn translated(token: &SyntaxToken, file: Mnemonics, to: Mnemonics) -> Option<String> {
     let text = token.text();
     let right = match token.kind() {
+        SyntaxKind::Diagram => return diagram(text, to),
         // A word that both sets have is meant in the language of the file: `SE`.
         SyntaxKind::Mnemonic if file == to && translate_instruction(text, to).is_some() => return None,
         SyntaxKind::Mnemonic => translate_instruction(text, to.other())?,

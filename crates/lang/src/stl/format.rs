@@ -76,6 +76,8 @@ struct Formatter {
     code: bool,
     /// Behind NETWORK or its TITLE, before the first statement.
     fresh_network: bool,
+    /// Before the end of the last line of a diagram, which is written already.
+    after_diagram: bool,
 }
 
 impl Formatter {
@@ -99,6 +101,7 @@ impl Formatter {
             fresh_node: false,
             code: false,
             fresh_network: false,
+            after_diagram: false,
         }
     }
 
@@ -136,6 +139,7 @@ impl Formatter {
             SyntaxKind::Diagram => return self.diagram(text),
             SyntaxKind::Newline => {
                 match self.line.used {
+                    _ if std::mem::take(&mut self.after_diagram) => {}
                     true => self.end_line(),
                     false => self.empty += 1,
                 }
@@ -171,6 +175,7 @@ impl Formatter {
             self.out.push_str(self.newline);
         }
         self.fresh_network = false;
+        self.after_diagram = true;
     }
 
     /// Puts a token into its column.

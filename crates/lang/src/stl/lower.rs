@@ -1,5 +1,7 @@
 //! From resolved statements to IR.
 
+use std::sync::Arc;
+
 use sieben_engine::CodeBlock;
 use sieben_engine::ir::{Builder, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::machine::Register;
@@ -24,6 +26,8 @@ pub struct Statement {
     pub operand: Operand,
     /// Where it comes from; in a text the whole statement without its label.
     pub origin: Origin,
+    /// The statement itself where the source has an element of a diagram: `= L 20.0`.
+    pub stated: Option<Arc<str>>,
 }
 
 impl Statement {

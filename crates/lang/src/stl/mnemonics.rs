@@ -5,6 +5,7 @@ use sieben_model::mnemonics::Mnemonics;
 use super::extension::translate_status_bit;
 use super::instructions::Instruction;
 use super::lexer::{Raw, token};
+use crate::network::flavour::Drawing;
 
 /// Address letters that differ: international and SIMATIC.
 const ADDRESS_LETTERS: [(&str, &str); 19] = [
@@ -57,6 +58,39 @@ impl Judgement {
     }
 }
 
+/// Whether networks are diagrams.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Drawn {
+    /// They are: only addresses tell the language.
+    Yes,
+    /// They are statements.
+    No,
+}
+
+/// What the word after NETWORK says, and where what follows begins.
+fn notation(text: &str, end: usize, usual: Drawn) -> (Drawn, usize) {
+    let mut at = end;
+    while let (Raw::Blank, next) = token(text, at) {
+        at = next;
+    }
+    let (raw, behind) = token(text, at);
+    match NOTATIONS.iter().find(|(word, _)| raw == Raw::Word && text[at..behind].eq_ignore_ascii_case(word)) {
+        Some((_, Some(_))) => (Drawn::Yes, behind),
+        Some((_, None)) => (Drawn::No, behind),
+        None => (usual, end),
+    }
+}
+
+/// The words after NETWORK that say how it is written.
+pub(super) const NOTATIONS: [(&str, Option<Drawing>); 6] = [
+    ("LAD", Some(Drawing::Lad)),
+    ("KOP", Some(Drawing::Lad)),
+    ("FBD", Some(Drawing::Fbd)),
+    ("FUP", Some(Drawing::Fbd)),
+    ("STL", None),
+    ("AWL", None),
+];
+
 /// The instruction word in the other language; `None` if `from` has no such word.
 pub fn translate_instruction(word: &str, from: Mnemonics) -> Option<&'static str> {
     Instruction::candidates(word, from).next().map(|instruction| instruction.mnemonic(from.other()))
@@ -95,7 +129,8 @@ fn instruction_language(word: &str) -> Option<Mnemonics> {
 }
 
 /// Counts the words of a source that only one language has, in statements only.
-pub fn judge(text: &str) -> Judgement {
+pub fn judge(text: &str, drawn: Drawn) -> Judgement {
+    let mut drawn_here = drawn;
     let mut judgement = Judgement::default();
     let mut position = 0;
     let mut at_start = true;
@@ -117,13 +152,21 @@ pub fn judge(text: &str) -> Judgement {
                 match upper.as_str() {
                     "VAR" | "VAR_INPUT" | "VAR_OUTPUT" | "VAR_IN_OUT" | "VAR_TEMP" | "STRUCT" => declarations += 1,
                     "END_VAR" | "END_STRUCT" => declarations = declarations.saturating_sub(1),
-                    "BEGIN" | "NETWORK" => declarations = 0,
+                    "NETWORK" => {
+                        declarations = 0;
+                        (drawn_here, position) = notation(text, end, drawn);
+                        at_start = false;
+                        continue;
+                    }
+                    "BEGIN" => declarations = 0,
                     "TITLE" | "AUTHOR" | "FAMILY" | "NAME" | "VERSION" if at_start => {
                         position = text[end..].find(['\r', '\n']).map_or(text.len(), |line| end + line);
                         continue;
                     }
                     _ if declarations > 0 => {}
-                    _ if at_start => {
+                    // The words of elements are the same in both languages.
+                    _ if at_start && drawn_here == Drawn::Yes && upper.len() > 1 => {}
+                    _ if at_start && drawn_here == Drawn::No => {
                         let mut behind = end;
                         while let (Raw::Blank, next) = token(text, behind) {
                             behind = next;

@@ -6,6 +6,7 @@ pub(crate) mod check;
 pub mod convert;
 pub(crate) mod counting;
 pub(crate) mod declare;
+pub mod diagrams;
 pub mod extension;
 pub mod format;
 pub mod instructions;

@@ -30,7 +30,7 @@ use sieben_model::visible::visible;
 use super::ast;
 use super::lexer::{Raw, in_word, is_terminated, token};
 use super::look_alikes::{self, OTHER_ALPHABET, latin};
-use super::mnemonics::judge;
+use super::mnemonics::{Drawn, judge};
 use super::syntax::{SyntaxKind, SyntaxNode};
 use crate::declarations::values::shortened_s5time;
 use crate::network::flavour::Drawing;
@@ -71,7 +71,7 @@ pub fn parse(file: FileId, text: &str, mnemonics: Option<Mnemonics>) -> Parsed {
 pub fn parse_as(file: FileId, text: &str, mnemonics: Option<Mnemonics>, drawing: Option<Drawing>) -> Parsed {
     let mut ambiguous = None;
     let mnemonics = mnemonics.unwrap_or_else(|| {
-        let judgement = judge(text);
+        let judgement = judge(text, if drawing.is_some() { Drawn::Yes } else { Drawn::No });
         ambiguous = judgement.ambiguous.filter(|_| judgement.is_open());
         judgement.mnemonics()
     });

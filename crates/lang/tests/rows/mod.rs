@@ -93,7 +93,7 @@ fn samples(instruction: Instruction) -> Vec<Operand> {
 }
 
 fn statement(instruction: Instruction, operand: Operand) -> Statement {
-    Statement { instruction, operand, origin: Origin::Text { span: Span::default(), network: 1 } }
+    Statement { instruction, operand, origin: Origin::Text { span: Span::default(), network: 1 }, stated: None }
 }
 
 /// Where an instruction stands when its effect is measured behind it.

@@ -7,7 +7,7 @@ mod parse;
 mod print;
 
 pub use layout::format;
-pub use parse::{ELEMENTS_MAX, NESTING_MAX, Parsed, parse};
+pub use parse::{NESTING_MAX, Parsed, parse};
 pub use print::print;
 
 #[cfg(test)]

@@ -7,13 +7,11 @@ use crate::network::flavour::Flavour;
 use crate::network::mistake::{Mistake, MistakeKind};
 use crate::network::model::{Alone, Branch, Content, End, Kind, Line, Network, Output, OutputKind, Place, Rung, XorInput};
 use crate::network::operand::Operand;
-use crate::network::{rules, words};
+use crate::network::rules::{self, ELEMENTS_MAX};
+use crate::network::words;
 
 /// How deep branches and pins may lie inside each other; STL takes seven levels of brackets.
 pub const NESTING_MAX: usize = 64;
-
-/// How many elements a network may have. A block of STEP 7 has at most 64 Kbyte of code, which is about as many.
-pub const ELEMENTS_MAX: usize = 8192;
 
 /// What was understood of a network, and what was not.
 #[derive(Clone, Debug, Default)]
@@ -33,6 +31,11 @@ pub fn parse(text: &str, from: usize, to: usize, flavour: Flavour) -> Parsed {
     let network = parser.network();
     let mut mistakes = parser.mistakes;
     mistakes.sort_by_key(|mistake| mistake.start);
+    // What is not read would look like open wires.
+    if mistakes.iter().any(|mistake| mistake.kind == MistakeKind::Size) {
+        mistakes.retain(|mistake| mistake.kind == MistakeKind::Size);
+        return Parsed { mistakes, ..Parsed::default() };
+    }
     let mut levels = parser.levels;
     levels.resize(lines.len(), 0);
     Parsed { network, mistakes, levels }
@@ -204,10 +207,12 @@ impl<'t> Parser<'_, 't> {
     fn closes(&self, opener: Option<Opener>, line: TextLine<'_>, word: &str) -> bool {
         match opener {
             None => word == "END",
-            Some(Opener { indent, word: "" }) => line.indent <= indent || word == "END" && line.indent <= indent,
+            Some(Opener { indent, word: "" }) => line.indent <= indent || word == "END",
+            // A branch may be closed with any indentation that is not that of a line around it.
             Some(opener) => {
                 line.indent < opener.indent
-                    || (line.indent == opener.indent && (word == "END" || word.trim_start_matches('/') == opener.word))
+                    || word == "END"
+                    || (line.indent == opener.indent && word.trim_start_matches('/') == opener.word)
             }
         }
     }
@@ -247,7 +252,7 @@ impl<'t> Parser<'_, 't> {
             self.level -= 1;
             branches.push((rung, line, negated));
             match self.peek() {
-                Some(next) if next.indent == opener.indent && first_word(next.content).0 == "END" => {
+                Some(next) if next.indent >= opener.indent && first_word(next.content).0 == "END" => {
                     self.take(0);
                     break;
                 }
@@ -256,7 +261,7 @@ impl<'t> Parser<'_, 't> {
                     line = next;
                 }
                 _ => {
-                    self.mistake(MistakeKind::Open, first, format!("`{word}` has no `END` with the same indentation"));
+                    self.mistake(MistakeKind::Open, first, format!("`{word}` has no `END`"));
                     break;
                 }
             }

@@ -13,7 +13,7 @@ const NETWORKS: &[&str] = &[
     "    OPN  DB 10\n",
     "    NO  I 0.0\n    CALL FB 1, DB 1\n        START := I 0.1\n        STOP := /I 0.2\n        MODE:\n            OR\n                NO  I 0.3\n            OR\n                NO  I 0.4\n            END\n        N := MW 10\n        Q => M 0.0\n    COIL  Q 4.0\n",
     "    NO  I 0.1\n    S_CUD C 8\n        CD:\n            NO  I 0.2\n        S:\n            NO  I 0.0\n        PV := C#42\n        R:\n            NO  I 0.7\n        CV => QW 2\n    COIL  Q 0.0\n",
-    "    NO     I 0.0\n    POS    I 0.1, M 1.0\n    NOT\n    SP     T 1, S5T#2S\n    SC     C 1, C#10\n    RESET  C 1\n",
+    "    NO   I 0.0\n    POS  I 0.1, M 1.0\n    NOT\n    BRANCH\n        SP  T 1, S5T#2S\n    BRANCH\n        SC  C 1, C#10\n    BRANCH\n        RESET  C 1\n    END\n",
     "    SHL_W IN := MW 10, N := MW 12 => MW 14\n",
 ];
 

@@ -4,17 +4,18 @@ use super::boxes::is_box_with_operand;
 use super::scan::Scanner;
 use crate::network::boxes::{BoxRow, COMPARISONS, TimerKind};
 use crate::network::flavour::Flavour;
+use crate::network::mistake::{Mistake, MistakeKind};
 use crate::network::model::{Alone, Branch, Content, Element, End, Kind, Line, Network, Output, OutputKind, Rung, XorInput};
 use crate::network::operand::{Operand, STATUS_BITS};
 use crate::network::rules;
 
 /// What is wrong, and at which byte of the text that the line is part of.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Wrong {
+pub(super) struct Wrong {
     /// The byte.
-    pub at: usize,
+    pub(super) at: usize,
     /// What is expected there.
-    pub message: String,
+    pub(super) message: String,
 }
 
 pub(super) type Parsed<T> = Result<T, Wrong>;
@@ -24,19 +25,25 @@ pub(super) type Parsed<T> = Result<T, Wrong>;
 /// # Errors
 ///
 /// The first thing that is no diagram, with its place.
-pub fn parse(text: &str, offset: usize, flavour: Flavour) -> Parsed<Network> {
+pub fn parse(text: &str, offset: usize, flavour: Flavour) -> Result<Network, Mistake> {
+    let network = syntax(text, offset, flavour).map_err(|wrong| {
+        let sign = wrong.at.checked_sub(offset).and_then(|at| text.get(at..)).and_then(|rest| rest.chars().next());
+        Mistake::new(MistakeKind::Line, wrong.at, wrong.at + sign.map_or(0, char::len_utf8), wrong.message)
+    })?;
+    match rules::mistakes(&network, flavour, None).into_iter().next() {
+        Some(mistake) => Err(mistake),
+        None => Ok(network),
+    }
+}
+
+/// What is written, whether or not it keeps the rules of diagrams.
+fn syntax(text: &str, offset: usize, flavour: Flavour) -> Parsed<Network> {
     let mut parser = Parser { scan: Scanner::new(text, offset, flavour) };
     let network = parser.network()?;
     if !parser.scan.ended() {
         return parser.scan.wrong("the network ends before this");
     }
-    match rules::mistakes(&network, flavour, None).into_iter().next() {
-        Some(mistake) => {
-            let help = mistake.help.map(|help| format!("; {help}")).unwrap_or_default();
-            Err(Wrong { at: mistake.start.max(offset), message: mistake.message + &help })
-        }
-        None => Ok(network),
-    }
+    Ok(network)
 }
 
 /// Whether the line goes on from something to its left.

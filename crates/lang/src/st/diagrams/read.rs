@@ -97,12 +97,7 @@ impl Read {
                 let place = head.unwrap_or(from..to);
                 self.add(network, language, Place::new(place.start, place.end));
             }
-            Err(wrong) => {
-                // To the end of the sign that is wrong.
-                let at = wrong.at.clamp(from, to);
-                let sign = content.get(at - from..).and_then(|rest| rest.chars().next()).map_or(0, char::len_utf8);
-                self.mistakes.push(Mistake::new(MistakeKind::Word, at, (at + sign).min(to), wrong.message));
-            }
+            Err(mistake) => self.mistakes.push(mistake),
         }
     }
 }
@@ -210,6 +205,7 @@ pub(in crate::st) fn diagnostic(mistake: &Mistake, file: FileId) -> Diagnostic {
         MistakeKind::Position => Problem::P2406,
         MistakeKind::OnlyFbd => Problem::P2407,
         MistakeKind::Size => Problem::P2408,
+        MistakeKind::Line => Problem::P2409,
     };
     let diagnostic = Diagnostic::new(problem, span, mistake.message.clone());
     match &mistake.help {

@@ -21,18 +21,8 @@ use crate::network::statement::Statement;
 use crate::network::{rules, words, write};
 use crate::stl::ast::{self, Argument, Block, Call, Constant, Operand, Word};
 use crate::stl::lexer::Raw;
-use crate::stl::mnemonics::{translate_instruction, translate_status};
+use crate::stl::mnemonics::{NOTATIONS, translate_instruction, translate_status};
 use crate::stl::syntax::SyntaxKind;
-
-/// The words after NETWORK that say how it is written.
-const NOTATIONS: [(&str, Option<Drawing>); 6] = [
-    ("LAD", Some(Drawing::Lad)),
-    ("KOP", Some(Drawing::Lad)),
-    ("FBD", Some(Drawing::Fbd)),
-    ("FUP", Some(Drawing::Fbd)),
-    ("STL", None),
-    ("AWL", None),
-];
 
 /// Operands of a diagram that were read, by their first byte.
 type Read = HashMap<u32, (Operand, Span)>;
@@ -95,10 +85,7 @@ impl Parser<'_> {
             first = false;
             match form_b::parse(&line, line_start, Flavour::S7) {
                 Ok(network) => self.network_of(block, &network, drawing),
-                Err(wrong) => {
-                    let end = (wrong.at + self.text[wrong.at..].chars().next().map_or(0, char::len_utf8)).min(self.text.len());
-                    self.mistake(Mistake::new(MistakeKind::Word, wrong.at, end, wrong.message), drawing, block);
-                }
+                Err(mistake) => self.mistake(mistake, drawing, block),
             }
         }
     }
@@ -131,6 +118,7 @@ impl Parser<'_> {
             MistakeKind::Position => Problem::P2406,
             MistakeKind::OnlyFbd => Problem::P2407,
             MistakeKind::Size => Problem::P2408,
+            MistakeKind::Line => Problem::P2409,
         };
         let message = format!("{} network {}: {}", drawing.word(), block.networks.len().max(1), mistake.message);
         let diagnostic = Diagnostic::new(problem, self.span(mistake.start, mistake.end), message);

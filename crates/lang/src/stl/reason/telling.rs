@@ -57,7 +57,10 @@ impl<'a> Telling<'a> {
 
     /// The operand as it is written, in one line.
     pub(super) fn operand_text(&self) -> String {
-        let text = self.statement.map_or_else(String::new, |statement| one_line(self.around.slice(statement.span())));
+        let text = self.statement.map_or_else(String::new, |statement| match &statement.stated {
+            Some(stated) => stated.to_string(),
+            None => one_line(self.around.slice(statement.span())),
+        });
         let mnemonic = self.statement.map_or("", |statement| statement.instruction.mnemonic(self.mnemonics));
         match text.get(..mnemonic.len()).is_some_and(|begin| begin.eq_ignore_ascii_case(mnemonic)) {
             true => text[mnemonic.len()..].trim().to_owned(),
