@@ -123,6 +123,10 @@ problems! {
     P2407 Error "an element that only FBD has, in a network of LAD" "Begin the network with `NETWORK FBD`, or draw it with contacts and NOT.";
     P2408 Error "a diagram that is too large, or nested too deep" "Divide the network into several.";
     P2409 Error "a diagram on one line that is not understood" "A space is AND, `|` in brackets OR, `/` a normally closed contact, and the coils stand after `->`: `(I 0.0 | Q 0.0) /I 0.1 -> = Q 0.0`.";
+    P2440 Error "an element of S7 blocks in a diagram of IEC 61131-3" "Draw what the message names instead.";
+    P2441 Error "a coil that nothing is wired to" "Draw what it is to be assigned before it; TRUE is written as a contact.";
+    P2442 Error "a body with statements and a diagram" "Write the diagram in a block or an action of its own.";
+    P2443 Warning "an instance that two boxes of a network call" "Declare an instance for each box, or draw one of them in a network of its own.";
     P3001 Error "a name that is not declared" "Declare it in the symbol table or in the VAR sections of the block.";
     P3002 Error "two blocks with one number" "Give one of them another number, or name only the files that belong together.";
     P3003 Error "a block named by a symbol that is not in the symbol table" "Add the symbol with the number of the block as its address, for example `FC 1`.";
@@ -172,6 +176,11 @@ problems! {
     P4203 Error "a date that the calendar does not have" "Check the month and the day; February has 29 days only in leap years.";
     P4204 Error "a character that does not fit into one byte" "Use characters of the code pages 1252, 1250 or 1251, or write the byte as `$` and two hex digits.";
     P4205 Error "a word that is no constant" "Use a constant such as 5, L#5, 1.5, W#16#00FF, 2#1010, C#20, S5T#2S, T#1H, D#2024-02-29, P#M 10.0, 'A' or TRUE.";
+    P4301 Error "an edge in a block that keeps nothing" "Draw it in a FUNCTION_BLOCK or PROGRAM, or hand the edge on as an input.";
+    P4302 Error "a value that no line of a diagram carries" "Assign it to a variable at the output, and wire the variable to the input.";
+    P4303 Error "a box of a function block without an instance" "Declare an instance in VAR and name it after the name of the function block.";
+    P4304 Error "a box whose instance is of another function block" "Name an instance of the function block, or the function block of the instance.";
+    P4305 Error "a box without a line to its first input" "Draw a line to the box, or write the input as a pin, such as `IN := x`.";
 
     // 5xxx limits of the CPU type
     P5001 Warning "an address beyond the areas of the CPU type" "Use an address that the CPU type has, or choose a larger CPU type.";

@@ -1,6 +1,6 @@
 //! Form A → a diagram: one element on each line, and what belongs to it indented below.
 
-use super::boxes::Boxes;
+use super::boxes::{Boxes, pin_of};
 use super::line::{TextLine, arguments, first_word, lines, operand, split};
 use crate::network::boxes::COMPARISONS;
 use crate::network::flavour::Flavour;
@@ -293,6 +293,9 @@ impl<'t> Parser<'_, 't> {
     fn element(&mut self, before: &mut Line, line: TextLine<'t>, word: &str, rest: usize) {
         let place = Place::new(line.start, line.end());
         let negated = word.starts_with('/');
+        if self.is_operator(line, word, rest) {
+            return self.boxed(before, line, word, rest);
+        }
         let kind = match word {
             "NO" | "NC" => self.only_operand(line, rest).map(|operand| Kind::Contact { operand, negated: word == "NC" }),
             "P" | "N" => self.only_operand(line, rest).map(|operand| match self.flavour {
@@ -333,6 +336,14 @@ impl<'t> Parser<'_, 't> {
         before.extend(kind.map(|kind| kind.at(place)));
     }
 
+    /// AND, OR, XOR and NOT of IEC 61131-3 with pins are boxes over values of any type; alone on their lines they are logic.
+    fn is_operator(&self, line: TextLine<'_>, word: &str, rest: usize) -> bool {
+        let more = line.content[rest..].trim();
+        let has_pins = !more.is_empty() && more != "( )"
+            || self.peek().is_some_and(|next| next.indent > line.indent && pin_of(next.content).is_some());
+        self.flavour == Flavour::Iec && matches!(word, "AND" | "OR" | "XOR" | "NOT") && has_pins
+    }
+
     /// An & box. Without a circle its inputs are a series like any other, unless one of them acts on what stands before it.
     fn and(&mut self, before: &mut Line, line: TextLine<'t>, place: Place, negated: bool) {
         let mut all: Line = Vec::new();
@@ -354,6 +365,13 @@ impl<'t> Parser<'_, 't> {
     fn compare(&mut self, line: TextLine<'_>, rest: usize, negated: bool) -> Option<Kind> {
         let written = &line.content[rest..];
         let signs = written.find(char::is_whitespace).unwrap_or(written.len());
+        if self.flavour == Flavour::Iec {
+            let message = "`CMP` is an element of S7 blocks: a comparison is a box here";
+            self.wrong(
+                Mistake::new(MistakeKind::Word, line.start, line.end(), message).help("write `GT a, 100`: one of EQ NE GT LT GE LE"),
+            );
+            return None;
+        }
         let Some(operation) = COMPARISONS.iter().copied().find(|known| known.eq_ignore_ascii_case(&written[..signs])) else {
             let message = format!("`{}` is no comparison", &written[..signs]);
             self.wrong(
