@@ -285,8 +285,9 @@ impl Writer<'_> {
                 self.input(&OR, &branch.line, false, source);
                 continue;
             }
-            // Branches up to the last one that holds an edge stand in brackets, the first one excepted.
-            let plain = last_edge.is_none_or(|last| index > last) && !branch.line.iter().any(|one| one.kind.is_box());
+            // Branches up to the last one that holds an edge stand in brackets, the first one excepted. So does what acts on its line:
+            // after a bare `O` it would act on the branches before it, too.
+            let plain = last_edge.is_none_or(|last| index > last) && !branch.line.iter().any(|one| one.kind.acts_on_line());
             self.place = branch.line.first().map_or(self.place, |one| one.place);
             if branch.bracketed || !(index == 0 || plain) {
                 self.put("O(", "");
