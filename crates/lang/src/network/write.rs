@@ -494,7 +494,7 @@ fn first_place(rung: &Rung) -> Option<Place> {
 }
 
 /// The tapped line is read by an element of its own instead of coming from the left.
-pub(super) fn reads_tap(line: &[Element]) -> bool {
+pub fn reads_tap(line: &[Element]) -> bool {
     line.iter().any(|element| match &element.kind {
         Kind::Tap { .. } => true,
         Kind::Parallel { branches, .. } => branches.iter().any(|branch| reads_tap(&branch.line)),
