@@ -4,6 +4,7 @@
 mod arguments;
 mod commands;
 mod controller;
+mod diagrams;
 mod document;
 mod duration;
 mod engines;

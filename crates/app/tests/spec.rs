@@ -1,5 +1,6 @@
 //! Runs the executable manual: every section of every page under spec/, in both mnemonic languages, on every engine.
 
+mod equality;
 mod program;
 
 use std::collections::BTreeSet;
@@ -21,7 +22,10 @@ use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
 use sieben_model::source::FileId;
 use sieben_model::symbols::SymbolTable;
-use sieben_sim::scenario::Scenario;
+use sieben_sim::scenario::{Happened, Scenario};
+
+/// The fences of diagrams, and the endings of files with such networks.
+const DIAGRAMS: [&str; 2] = ["lad", "fbd"];
 
 /// The part of a page under one heading.
 #[derive(Default)]
@@ -32,10 +36,20 @@ struct Section {
     stl: String,
     /// All `st` fences.
     st: String,
+    /// Each `lad` and `fbd` fence, a program of its own that does the same, with its language.
+    diagrams: Vec<(&'static str, String)>,
     /// The dialects that the first of them names: `st iec codesys`.
     dialects: Vec<Dialect>,
     /// `check` fences with the page's line before their first one.
     checks: Vec<(usize, String)>,
+}
+
+impl Section {
+    /// The texts of all its programs.
+    fn programs(&self) -> String {
+        let diagrams: Vec<String> = self.diagrams.iter().map(|(language, text)| format!("({language})\n{text}")).collect();
+        format!("{}{}{}", self.stl, self.st, diagrams.concat())
+    }
 }
 
 fn spec_folder() -> PathBuf {
@@ -80,6 +94,10 @@ fn sections(page: &str) -> Vec<Section> {
             Event::Text(text) if fence.is_some() => content.push_str(&text),
             Event::End(TagEnd::CodeBlock) => match fence.take() {
                 Some((info, _)) if info == "stl" => section.stl.push_str(&content),
+                Some((info, _)) if DIAGRAMS.contains(&info.as_str()) => {
+                    let language = DIAGRAMS.iter().find(|language| **language == info).expect("it was just found");
+                    section.diagrams.push((language, content.clone()));
+                }
                 Some((info, line)) if info.split(' ').next() == Some("st") => {
                     section.st.push_str(&content);
                     let words = info.split_whitespace().skip(1);
@@ -103,7 +121,7 @@ fn sections(page: &str) -> Vec<Section> {
 fn failures(page: &str, section: &Section) -> Vec<String> {
     let mut out = Vec::new();
     let place = |line: usize| format!("{page}:{line} ({})", section.heading);
-    if (section.stl.is_empty() && section.st.is_empty()) != section.checks.is_empty() {
+    if section.programs().is_empty() != section.checks.is_empty() {
         out.push(format!("{}: a program and a `check` belong together", place(section.line)));
     }
     for (line, text) in &section.checks {
@@ -133,10 +151,26 @@ type Variant = (String, Result<Compiled, String>);
 /// The program of a section in both mnemonic languages and in each dialect that it names.
 fn variants(section: &Section, cpu_type: &'static CpuType) -> Result<Vec<Variant>, String> {
     let st = [("page.st", section.st.as_str())];
-    if section.stl.is_empty() {
+    let mut out = Vec::new();
+    if section.stl.is_empty() && !section.st.is_empty() {
         let compiled = |&dialect: &Dialect| (dialect.name().to_owned(), program::compile_sources(&st, None, Some(dialect), cpu_type));
-        return Ok(section.dialects.iter().map(compiled).collect());
+        out.extend(section.dialects.iter().map(compiled));
     }
+    if !section.stl.is_empty() {
+        out.extend(stl_variants(section, st, cpu_type)?);
+    }
+    for (notation, text) in &section.diagrams {
+        let name = format!("page.{notation}");
+        for (language, mnemonics, text) in &program::both_languages_of(&name, text)? {
+            let compiled = program::compile_sources(&[(&name, text)], Some(*mnemonics), None, cpu_type);
+            out.push((format!("{notation}, {language}"), compiled.map_err(|message| format!("{message}\n{text}"))));
+        }
+    }
+    Ok(out)
+}
+
+/// The statement list of a section, with what it has of Structured Text.
+fn stl_variants(section: &Section, st: [(&str, &str); 1], cpu_type: &'static CpuType) -> Result<Vec<Variant>, String> {
     let mut out = Vec::new();
     for (language, mnemonics, text) in &program::both_languages(&section.stl)? {
         let stl = ("page.awl", text.as_str());
@@ -160,6 +194,8 @@ fn run(section: &Section, scenario: &Scenario) -> Vec<(usize, String)> {
         Err(message) => return vec![(0, message)],
     };
     let mut out = Vec::new();
+    // What the memory held after every scan of the first variant and engine.
+    let mut first: Option<Vec<Vec<(String, u64)>>> = None;
     for (variant, compiled) in variants {
         let (compiled, settings) = match compiled {
             Ok(compiled) => {
@@ -173,11 +209,38 @@ fn run(section: &Section, scenario: &Scenario) -> Vec<(usize, String)> {
         };
         for (engine, load) in program::ENGINES {
             let mut cpu = || program::cpu_with(&compiled, cpu_type, *load, scenario.modules.clone(), settings.clone());
-            let failed = scenario.run(&SymbolTable::default(), &mut cpu);
+            let mut held = Vec::new();
+            let failed = scenario.run_watched(&SymbolTable::default(), &mut cpu, &mut |happened| {
+                if let (Happened::Scan { cpu, .. }, false) = (happened, section.diagrams.is_empty()) {
+                    held.push(equality::fingerprint(cpu.machine()));
+                }
+            });
+            let first = first.get_or_insert_with(|| held.clone());
+            let differs = first.iter().zip(&held).position(|(first, held)| first != held);
+            out.extend(differs.map(|scan| {
+                let area = first[scan].iter().zip(&held[scan]).find(|(one, other)| one != other).map_or("", |(one, _)| one.0.as_str());
+                (0, format!("[{variant}, {engine}] after scan {}: the {area} are not as in the first variant", scan + 1))
+            }));
             out.extend(failed.into_iter().map(|failure| (failure.line, format!("[{variant}, {engine}] {}", failure.message))));
         }
     }
     out
+}
+
+/// The first difference between the statement list of a section and its diagrams, over the values of what the statement list reads.
+fn inequality(section: &Section) -> Option<String> {
+    if section.stl.is_empty() || section.diagrams.is_empty() || !section.st.is_empty() {
+        return None;
+    }
+    let cpu = section.checks.iter().filter_map(|(_, text)| Scenario::parse(text).ok()?.cpu).next();
+    let cpu_type = cpu.unwrap_or(&CpuType::ALL[0]);
+    let mut programs = Vec::new();
+    for (name, compiled) in variants(section, cpu_type).ok()?.into_iter().filter(|(name, _)| !name.contains("German")) {
+        let compiled = compiled.ok()?;
+        let settings = program::settings(&compiled);
+        programs.push((name, Arc::new(compiled.program), settings));
+    }
+    equality::first_difference(&programs, &equality::Inputs::of(&section.stl), cpu_type)
 }
 
 /// Runs all pages of a folder and reports every failure at once.
@@ -189,10 +252,11 @@ fn run_folder(folder: &str) {
         assert!(sections.iter().any(|section| !section.checks.is_empty()), "{name} checks nothing");
         for section in &sections {
             checks += section.checks.len();
-            let found = failures(&name, section);
+            let mut found = failures(&name, section);
+            found.extend(inequality(section).map(|message| format!("{name}:{} ({}): {message}", section.line, section.heading)));
             if !found.is_empty() {
                 let _ = writeln!(report, "{}", found.join("\n"));
-                let _ = writeln!(report, "    {}\n", format!("{}{}", section.stl, section.st).trim_end().replace('\n', "\n    "));
+                let _ = writeln!(report, "    {}\n", section.programs().trim_end().replace('\n', "\n    "));
             }
         }
     }
@@ -202,6 +266,11 @@ fn run_folder(folder: &str) {
 #[test]
 fn the_course_pages_come_true() {
     run_folder("course");
+}
+
+#[test]
+fn the_diagram_pages_come_true() {
+    run_folder("diagrams");
 }
 
 #[test]
@@ -511,7 +580,31 @@ fn fits(class: OperandClass, operand: &Operand) -> bool {
 
 /// All failures of a page that exists only here.
 fn failures_of(page: &str) -> Vec<String> {
-    sections(page).iter().flat_map(|section| failures("a page", section)).collect()
+    sections(page).iter().flat_map(|section| failures("a page", section).into_iter().chain(inequality(section))).collect()
+}
+
+#[test]
+fn a_diagram_that_does_something_else_is_seen() {
+    let check = "```check\nscan\nexpect Q 0.0=0\n```\n";
+    let stl = "## A part\n```stl\nA I 0.0; A I 0.1; = Q 0.0;\n```\n";
+    for (diagram, wanted) in [
+        ("```lad\nNO I 0.0\nNO I 0.1\nCOIL Q 0.0\n```\n", None),
+        ("```fbd\nI 0.0 I 0.1 -> = Q 0.0\n```\n", None),
+        ("```lad\nI 0.0 -> = Q 0.0\n```\n", Some("byte 0 of the outputs is 0x01, not 0x00")),
+        ("```lad\nI 0.0 I 0.1 -> = Q 0.1\n```\n", Some("byte 0 of the outputs is 0x02, not 0x01")),
+        ("```lad\nNO I 0.0\n```\n", Some("this rung has no output")),
+        ("```fbd\nI 0.0 #(M 0.0) I 0.1 -> = Q 0.0\n```\n", Some("bit memory")),
+    ] {
+        let found = failures_of(&format!("{stl}{diagram}{check}"));
+        match wanted {
+            None => assert!(found.is_empty(), "{diagram}: {found:?}"),
+            Some(text) => assert!(found.iter().any(|failure| failure.contains(text)), "{diagram}: {found:?}"),
+        }
+    }
+    // What only a scan of the check brings about is compared there.
+    let later = "## A part\n```stl\nL T 1; T MW 2; A M 9.0; = M 9.0;\n```\n```lad\nMOVE 0 => MW 2\nNETWORK\nNO M 9.0\nCOIL M 9.0\n```\n";
+    let found = failures_of(&format!("{later}```check\nset T 1=S5T#1S\nscan\nexpect M 9.0=0\n```\n"));
+    assert!(found.iter().any(|failure| failure.contains("after scan 1: the bit memory")), "{found:?}");
 }
 
 #[test]

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use sieben_cpu::{Cpu, CyclicInterrupt, IoModule, Rack, Settings, SimulatedModule};
 use sieben_engine::{Engine, Interpreter, Layout, Program};
 use sieben_jit::{Jit, StatusBits};
+use sieben_lang::language::Language;
 use sieben_lang::st::dialect::Dialect;
 use sieben_lang::{Compiled, Options};
 use sieben_model::cpu_type::CpuType;
@@ -28,16 +29,23 @@ fn machine_code(program: &Program, layout: &Layout) -> Arc<dyn Engine> {
 /// A text and its translation into the other mnemonic language, with the language's name.
 #[allow(dead_code)] // Only the pages are in both languages.
 pub(crate) fn both_languages(english: &str) -> Result<[(&'static str, Mnemonics, String); 2], String> {
-    let german = convert(english, Mnemonics::English, Mnemonics::German)?;
-    let back = convert(&german, Mnemonics::German, Mnemonics::English)?;
+    both_languages_of("page.awl", english)
+}
+
+/// The same for a source of a name.
+#[allow(dead_code)] // Only the pages are in both languages.
+pub(crate) fn both_languages_of(name: &str, english: &str) -> Result<[(&'static str, Mnemonics, String); 2], String> {
+    let german = convert(name, english, Mnemonics::English, Mnemonics::German)?;
+    let back = convert(name, &german, Mnemonics::German, Mnemonics::English)?;
     if back != english {
         return Err(format!("converted to German mnemonics and back it is another text:\n{back}"));
     }
     Ok([("English", Mnemonics::English, english.to_owned()), ("German", Mnemonics::German, german)])
 }
 
-fn convert(text: &str, from: Mnemonics, to: Mnemonics) -> Result<String, String> {
-    sieben_lang::stl::convert::convert(text, Some(from), to).map_err(|diagnostics| {
+fn convert(name: &str, text: &str, from: Mnemonics, to: Mnemonics) -> Result<String, String> {
+    let drawing = Language::of(name, text, None).drawing();
+    sieben_lang::stl::convert::convert_as(text, Some(from), to, drawing).map_err(|diagnostics| {
         format!("cannot be converted: {}", diagnostics.iter().map(|found| found.message.clone()).collect::<Vec<_>>().join("; "))
     })
 }

@@ -18,6 +18,7 @@ pub mod mnemonics;
 pub mod operands;
 pub mod parser;
 pub(crate) mod reason;
+pub mod redraw;
 pub(crate) mod references;
 pub(crate) mod resolve;
 pub(crate) mod size;

@@ -3,22 +3,9 @@
 use sieben_lang::network::flavour::{Drawing, Flavour};
 use sieben_lang::network::form_b::{parse, print};
 use sieben_lang::network::mistake::Mistake;
-use sieben_lang::network::statement::Statement;
 use sieben_lang::network::write::write;
 
-/// A statement as text.
-pub(crate) fn shown(statement: &Statement) -> String {
-    let label = statement.label.as_ref().map(|label| format!("{label}: ")).unwrap_or_default();
-    let operand = if statement.operand.is_empty() { String::new() } else { format!(" {}", statement.operand) };
-    let instance = statement.instance.as_ref().map(|instance| format!(", {instance}")).unwrap_or_default();
-    let parameters: Vec<String> = statement.parameters.iter().map(|one| format!("{} := {}", one.name, one.actual)).collect();
-    let parameters = if parameters.is_empty() { String::new() } else { format!(" ( {} )", parameters.join(", ")) };
-    format!("{label}{}{operand}{instance}{parameters}", statement.mnemonic)
-}
-
-pub(crate) fn all_shown(statements: &[Statement]) -> String {
-    statements.iter().map(shown).collect::<Vec<_>>().join("; ")
-}
+use crate::statements::all_shown;
 
 /// A line, how the other drawing writes it, and its statements.
 const LINES: &[(&str, &str, &str)] = &[

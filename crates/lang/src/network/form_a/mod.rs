@@ -7,6 +7,7 @@ mod parse;
 mod print;
 
 pub use layout::format;
+pub use line::{Comment, comments};
 pub use parse::{NESTING_MAX, Parsed, parse};
 pub use print::print;
 

@@ -8,6 +8,7 @@ use crate::network::mistake::{Mistake, MistakeKind};
 use crate::network::model::{Alone, Branch, Content, Element, End, Kind, Line, Network, Output, OutputKind, Rung, XorInput};
 use crate::network::operand::{Operand, STATUS_BITS};
 use crate::network::rules;
+use crate::network::write::reads_tap;
 
 /// What is wrong, and at which byte of the text that the line is part of.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -131,9 +132,13 @@ impl Parser<'_> {
 
     fn rung(&mut self, left: Left) -> Parsed<Rung> {
         self.scan.enter()?;
-        let rung = self.rung_inside(left);
+        let mut rung = self.rung_inside(left)?;
         self.scan.leave();
-        rung
+        if left == Left::Line && rung.line.get(1..).is_some_and(|rest| !reads_tap(rest)) {
+            // It comes from the left in any case.
+            strip_tap(&mut rung.line);
+        }
+        Ok(rung)
     }
 
     fn rung_inside(&mut self, left: Left) -> Parsed<Rung> {
@@ -191,13 +196,23 @@ impl Parser<'_> {
         let operand = !after.starts_with(['(', '[']);
         match word {
             "S" | "R" | "JMP" | "JMPN" => operand,
-            "SC" | "CU" | "CD" | "CALL" if s7 => operand,
+            "CALL" if s7 => operand && !self.is_call_box(),
+            "SC" | "CU" | "CD" if s7 => operand,
             "P" | "N" if !s7 => operand,
             "RETURN" if !s7 => operand,
             "SAVE" if s7 => operand,
             "RET" => operand,
             other => s7 && TimerKind::of(other).is_some(),
         }
+    }
+
+    /// A call with pins or an instance is a box.
+    fn is_call_box(&mut self) -> bool {
+        let mark = self.scan.at;
+        self.scan.eat_word("CALL");
+        let is_box = self.scan.operand().is_ok() && (self.scan.touches('(') || self.scan.touches(','));
+        self.scan.at = mark;
+        is_box
     }
 
     fn output(&mut self) -> Parsed<Output> {

@@ -78,6 +78,8 @@ impl<'s> Reader<'s> {
         match self.peek() {
             "CU" => !(is_placeholder || fed("CD")),
             "CD" => !statement.is("BLD", "101"),
+            // A counter that is set has no box of its own.
+            _ if self.mnemonic_at(self.at + 1) == "S" => true,
             _ => !(is_placeholder || (matches!(statement.mnemonic, "A" | "L" | "LC") && statement.operand == *operand) || fed("R")),
         }
     }
@@ -295,6 +297,7 @@ impl<'s> Reader<'s> {
         if negated {
             line.push(Kind::Not.at(self.place(at, at)));
         }
+        self.enabling.insert(at);
         self.box_labels.insert(target);
         self.at += 1;
         self.rewrite(Rewrite::Enable);

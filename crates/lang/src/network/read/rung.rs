@@ -72,6 +72,8 @@ pub(super) struct Reader<'s> {
     pub(super) slots: usize,
     /// Statements whose label belongs to a box.
     pub(super) box_labels: BTreeSet<usize>,
+    /// Jumps that have become the EN of a box.
+    pub(super) enabling: BTreeSet<usize>,
     /// Statements that networks begin with.
     starts: BTreeSet<usize>,
 }
@@ -90,6 +92,7 @@ impl<'s> Reader<'s> {
             depth: 0,
             slots: 0,
             box_labels: BTreeSet::new(),
+            enabling: BTreeSet::new(),
             starts: BTreeSet::new(),
         }
     }
@@ -246,7 +249,7 @@ impl<'s> Reader<'s> {
             let is_jump = matches!(statement.mnemonic, "JU" | "JC" | "JCN");
             if let Some(target) = self.prepared.labels.get(statement.operand.text.as_str()).filter(|_| is_jump) {
                 let own = self.starts.range(..=index).next_back();
-                if own == Some(target) || !self.starts.contains(target) {
+                if !self.enabling.contains(&index) && (own == Some(target) || !self.starts.contains(target)) {
                     return self.refuse(Reason::Jump, index);
                 }
             }
