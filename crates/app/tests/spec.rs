@@ -368,6 +368,23 @@ fn every_example_of_the_courses_has_a_section() {
     assert!(missing.is_empty(), "no section for {}", missing.join(", "));
 }
 
+/// The diagrams of the courses in STL's world; those of IEC 61131-3 have pages of their own.
+#[test]
+fn every_s7_diagram_of_the_courses_has_a_section_with_a_diagram() {
+    let drawn: Vec<String> = pages("diagrams")
+        .iter()
+        .flat_map(|(_, page)| sections(page))
+        .filter(|section| !section.stl.is_empty() && !section.diagrams.is_empty())
+        .map(|section| section.heading)
+        .collect();
+    let missing: Vec<String> = (1..=22)
+        .chain(40..=44)
+        .map(|n| format!("S-LAD-{n:02}"))
+        .filter(|id| !drawn.iter().any(|heading| heading.starts_with(id.as_str())))
+        .collect();
+    assert!(missing.is_empty(), "no diagram for {}", missing.join(", "));
+}
+
 /// Sections whose programs show the trap that is warned of: page, beginning of the heading, warning.
 const SHOW_THE_TRAP: &[(&str, &str, Problem)] = &[
     ("spec/course/s0_statement_list.md", "S0-14 T flip-flop, the wrong version", Problem::P5030),

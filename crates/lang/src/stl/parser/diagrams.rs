@@ -282,7 +282,12 @@ fn end_of(text: &str, operand: &str) -> usize {
 
 /// Whether a diagram has one element on each line.
 fn is_form_a(text: &str) -> bool {
-    let Some(line) = text.lines().map(str::trim).find(|line| !line.is_empty() && !line.starts_with("//")) else { return true };
+    let mut code = text.lines().map(|line| line.split("//").next().unwrap_or_default().trim()).filter(|line| !line.is_empty());
+    let Some(line) = code.next() else { return true };
+    // An arrow to outputs, or a box straight on the rail, is in no line of the other form.
+    if code.any(|line| line.starts_with("|-") || line.contains("->")) {
+        return false;
+    }
     let signs = line.find(|sign: char| !(sign.is_alphanumeric() || matches!(sign, '_' | '<' | '>' | '/'))).unwrap_or(line.len());
     let (word, rest) = line.split_at(signs);
     if line.starts_with("|-") || line.contains("->") || rest.starts_with(['(', '[']) && !word.is_empty() {
