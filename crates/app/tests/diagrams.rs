@@ -94,7 +94,10 @@ fn json_has_an_object_for_each_network() {
     let all: Value = serde_json::from_str(&run.stdout).unwrap_or_else(|error| panic!("{error}: {}", run.stdout));
     let row = |index: usize| &all[index];
     assert_eq!((&row(0)["answer"], &row(0)["block"], &row(0)["network"]), (&"exact".into(), &"FC 1".into(), &1.into()));
-    assert_eq!(row(0)["text"], "    OR\n        NO  I 0.0  // the button\n    OR\n        NO  Q 4.0\n    END\n    NC    I 0.1\n    COIL  Q 4.0\n");
+    assert_eq!(
+        row(0)["text"],
+        "    OR\n        NO  I 0.0  // the button\n    OR\n        NO  Q 4.0\n    END\n    NC    I 0.1\n    COIL  Q 4.0\n"
+    );
     assert_eq!((&row(1)["answer"], &row(1)["codes"]), (&"equivalent".into(), &serde_json::json!(["W1"])));
     assert_eq!((&row(2)["answer"], &row(2)["reason"], &row(2)["statement"]), (&"no".into(), &"R-OPCODE".into(), &2.into()));
     assert_eq!(row(3)["answer"], "exact");
@@ -115,7 +118,8 @@ fn files_are_replaced_with_their_encoding_and_line_ends() {
 
 #[test]
 fn what_cannot_be_done_is_said() {
-    let folder = Folder::with(&[("main.awl", SOURCE), ("wrong.awl", "A I 0.0;\nFOO;\n"), ("xor.awl", "A I 0.0;\nX I 0.1;\nA I 0.2;\n= Q 4.0;\n")]);
+    let folder =
+        Folder::with(&[("main.awl", SOURCE), ("wrong.awl", "A I 0.0;\nFOO;\n"), ("xor.awl", "A I 0.0;\nX I 0.1;\nA I 0.2;\n= Q 4.0;\n")]);
     let unknown = folder.run(&["convert", "main.awl", "--to", "lad", "--block", "FB 7"]);
     assert_eq!(unknown.code, Some(2));
     assert!(unknown.stderr.contains("there is no block `FB 7`") && unknown.stderr.contains("FC 1"), "{}", unknown.stderr);
