@@ -116,11 +116,27 @@ pub struct Source<'a> {
     pub blocks: Vec<&'a ResolvedBlock>,
 }
 
+/// A block of a source with its networks.
+#[derive(Clone, Debug)]
+pub struct SourceBlock {
+    /// Which one.
+    pub id: BlockId,
+    /// Its title, its comment and the rest of its header.
+    pub header: ast::Header,
+    /// Its networks.
+    pub networks: Vec<DrawnNetwork>,
+}
+
 impl Source<'_> {
-    /// The networks of its blocks, in the order of the text.
-    pub fn networks(&self, mode: Mode) -> Vec<(BlockId, Vec<DrawnNetwork>)> {
+    /// Its blocks with their networks, in the order of the text.
+    pub fn blocks(&self, mode: Mode) -> Vec<SourceBlock> {
         let parsed = self.parse();
-        self.blocks_of(&parsed).map(|(block, resolved)| (resolved.id, networks(self.text, block, resolved, self.mnemonics, mode))).collect()
+        let block = |(block, resolved): (&ast::Block, &ResolvedBlock)| SourceBlock {
+            id: resolved.id,
+            header: block.header.clone(),
+            networks: networks(self.text, block, resolved, self.mnemonics, mode),
+        };
+        self.blocks_of(&parsed).map(block).collect()
     }
 
     fn parse(&self) -> Parsed {
