@@ -11,6 +11,7 @@ use std::sync::Arc;
 
 use sieben_cpu::{Cpu, Restart};
 use sieben_engine::Program;
+use sieben_lang::Options;
 use sieben_lang::network::flavour::{Drawing, Flavour};
 use sieben_lang::network::model::{
     Branch, Content, Element, End, Kind, NamedBox, NamedInput, Network, Output, OutputKind, Place, Rung, XorInput,
@@ -19,6 +20,7 @@ use sieben_lang::network::operand::Operand;
 use sieben_lang::network::{form_a, form_b};
 use sieben_lang::st::dialect::Dialect;
 use sieben_model::cpu_type::CpuType;
+use sieben_model::source::Sources;
 use sieben_model::symbols::SymbolTable;
 use sieben_sim::names::Name;
 
@@ -377,6 +379,101 @@ fn words_are_joined_in_every_width() {
     let text = "PROGRAM Main\nVAR a, b : WORD; x : BYTE; END_VAR\nFBD\nNETWORK\n    AND a, b => x\nEND_PROGRAM\n";
     let refused = program::compile_sources(&[("page.st", text)], None, Some(Dialect::Iec), cpu_type());
     assert!(refused.as_ref().is_err_and(|why| why.contains("BYTE")), "{:?}", refused.err());
+}
+
+// What is wrong.
+
+/// Compiles the body of a program that declares `a` and `b` as BOOL, `n` as INT, `s` as STRING, `t` as TON and `o` as TOF.
+fn said(body: &str) -> Vec<(String, String, String)> {
+    let text = format!(
+        "FUNCTION_BLOCK Own VAR_INPUT x : BOOL; END_VAR VAR_OUTPUT y : BOOL; z : INT; END_VAR y := x; END_FUNCTION_BLOCK\n\
+         FUNCTION Nothing VAR_INPUT x : BOOL; END_VAR ; END_FUNCTION\n\
+         PROGRAM Main VAR a, b : BOOL; n : INT; w : WORD; s : STRING; t : TON; o : TOF; own : Own; END_VAR\n{body}\nEND_PROGRAM\n"
+    );
+    let mut sources = Sources::default();
+    sources.add("page.st", text.as_str());
+    let options = Options {
+        cpu: Some(cpu_type()),
+        dialect: Some(Dialect::Iec),
+        system_blocks: sieben_cpu::system::interfaces(),
+        ..Options::default()
+    };
+    let compiled = sieben_lang::compile(&sources, &SymbolTable::default(), &options);
+    let found = compiled.diagnostics.iter().map(|one| {
+        let place = &text[one.span.start as usize..one.span.end as usize];
+        (one.problem.code().to_owned(), place.to_owned(), one.message.clone())
+    });
+    found.collect()
+}
+
+#[test]
+fn what_is_wrong_is_said_at_its_element() {
+    let mut failures = Vec::new();
+    for (body, code, place) in [
+        ("LD\nNETWORK\n    NO a\n    COIL x", "P3001", "x"),
+        ("LD\nNETWORK\n    NO a\n    COIL n", "P6200", ""),
+        ("LD\nNETWORK\n    NO n\n    COIL a", "P6200", "n"),
+        ("LD\nNETWORK\n    NO a +\n    COIL b", "P6055", ""),
+        ("LD\nNETWORK\n    NO a b\n    COIL b", "P6054", "b"),
+        ("LD\nNETWORK\n    FOO n, 1 => n", "P3008", "FOO"),
+        ("LD\nNETWORK\n    ADD_I n, 1 => n", "P2440", "ADD_I"),
+        ("LD\nNETWORK\n    S_ODT t\n        TV := T#1s\n    COIL a", "P3008", "S_ODT"),
+        ("FBD\nNETWORK\n    COIL a", "P2441", "COIL a"),
+        ("LD\nNETWORK\n    TON\n        IN := a\n        PT := T#1s", "P4303", "TON"),
+        ("LD\nNETWORK\n    NO a\n    TON o\n        PT := T#1s\n    COIL b", "P4304", "o"),
+        ("FBD\nNETWORK\n    TON t\n        PT := T#1s\n        Q => b", "P4305", ""),
+        ("LD\nNETWORK\n    NO a\n    TON t\n        IN := b\n        PT := T#1s", "P3011", "IN := b"),
+        ("LD\nNETWORK\n    NO a\n    TON t\n        TP := T#1s", "P3009", "TP"),
+        ("LD\nNETWORK\n    NO a\n    TON t\n        PT := s", "P6200", "s"),
+        ("LD\nNETWORK\n    NO a\n    GE\n        EN := b\n        IN1 := n\n        IN2 := 1\n    COIL b", "P3011", ""),
+        ("LD\nNETWORK\n    NO a\n    TON t\n        PT := T#1s\n        ET => b", "P4011", "b"),
+        ("FBD\nNETWORK\n    Own own\n        y => n", "P4011", "n"),
+        ("LD\nNETWORK\n    NO a\n    Own own\n        z => .\n    COIL b", "P4302", ""),
+        ("FBD\nNETWORK\n    Nothing a => b", "P6218", ""),
+        ("LD\nNETWORK\n    NO a\n    JMP nowhere", "P3004", "nowhere"),
+        ("LD\nNETWORK\n    LABEL l:\n    NO a\n    COIL b\nNETWORK\n    LABEL l:\n    NO a\n    JMP l", "P3005", "l"),
+        ("LD\nNETWORK\n    NO a\n    CMP >I n, 1\n    COIL b", "P2401", "CMP >I n, 1"),
+        ("LD\nNETWORK\n    NO a\n    OR\n    OR\n        NO b\n    END\n    COIL b", "P2405", ""),
+        ("LD\nNETWORK\n    NO a", "P2404", ""),
+        ("LD\nNETWORK\n    XOR\n        NO a\n    XOR\n        NO b\n    END\n    COIL b", "P2407", ""),
+        ("LD\na (b -> = b", "P2409", ""),
+        ("FBD\nNETWORK\n    AND w, 16#FF => n", "P6200", ""),
+        (
+            "FBD\nNETWORK\n    OR\n        TON t\n            IN := a\n    OR\n        TON t\n            IN := b\n    END\n    COIL b",
+            "P2443",
+            "t",
+        ),
+    ] {
+        let said = said(body);
+        match said.iter().find(|one| one.0 == code) {
+            Some(found) if place.is_empty() || found.1 == place => {}
+            Some(found) => failures.push(format!("{body}\n{code} stands at `{}` and not at `{place}`", found.1)),
+            None => failures.push(format!("{body}\nhas no {code}: {said:?}")),
+        }
+    }
+    assert!(failures.is_empty(), "{}", failures.join("\n\n"));
+}
+
+#[test]
+fn large_and_deep_bodies_end_in_a_message_or_a_program() {
+    // Ten thousand contacts are more than a network has; a few thousand run.
+    let wide = |count: usize| format!("LD\nNETWORK\n{}    COIL b", "    NO a\n".repeat(count));
+    assert!(said(&wide(10_000)).iter().any(|one| one.0 == "P2408"));
+    assert_eq!(said(&wide(4_000)), []);
+    let branches = format!("LD\nNETWORK\n{}    END\n    COIL b", "    OR\n        NO a\n".repeat(2_000));
+    assert_eq!(said(&branches), []);
+    let coils = format!("LD\nNETWORK\n    NO a\n{}", "    COIL b\n".repeat(4_000));
+    assert_eq!(said(&coils), []);
+    let boxes = format!("LD\nNETWORK\n    NO a\n{}", "    ADD n, 1 => n\n".repeat(2_000));
+    assert_eq!(said(&boxes), []);
+    let mut deep = "LD\nNETWORK\n".to_owned();
+    (0..1_000).for_each(|level| deep += &format!("{}OR\n", "  ".repeat(level + 2)));
+    assert!(said(&deep).iter().any(|one| one.0 == "P2408"), "{:?}", said(&deep).first());
+    let line = format!("LD\n{}a{} -> = b", "(a | ".repeat(1_000), ")".repeat(1_000));
+    assert!(said(&line).iter().any(|one| one.0 == "P2409"));
+    let pins =
+        format!("FBD\nNETWORK\n{}", (0..200).map(|level| format!("{}ADD\n{0}  IN1:\n", "  ".repeat(2 * level + 2))).collect::<String>());
+    assert!(said(&pins).iter().any(|one| one.0 == "P2408"), "{:?}", said(&pins).first());
 }
 
 // Random networks.

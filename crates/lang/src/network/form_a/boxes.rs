@@ -319,7 +319,7 @@ impl<'t> Parser<'_, 't> {
     fn named(&mut self, this: Boxes<'_, 't>) -> Option<Kind> {
         let written = &this.line.content[this.rest..];
         let start = this.line.start + this.rest;
-        if !is_name(this.word) {
+        if !this.word.split('.').all(is_name) {
             self.pins(this.line, Vec::new());
             let message = format!("`{}` is no element of a diagram", this.line.content);
             self.wrong(
