@@ -45,17 +45,17 @@ pub(crate) struct Arguments {
     /// What networks become
     #[arg(long, value_name = "LANGUAGE")]
     to: Option<NetworkTarget>,
-    /// How diagrams are written: a one element on each line, b one network on each line
-    #[arg(long, value_name = "FORM", default_value = "a", requires = "to")]
-    form: FormArgument,
+    /// How diagrams are written: a one element on each line, b one network on each line [default: a]
+    #[arg(long, value_name = "FORM", requires = "to", conflicts_with = "mnemonics")]
+    form: Option<FormArgument>,
     /// Only the networks of this block
-    #[arg(long, value_name = "BLOCK", requires = "to")]
+    #[arg(long, value_name = "BLOCK", requires = "to", conflicts_with = "mnemonics")]
     block: Option<String>,
     /// Rewrite what means the same so that it can be drawn
-    #[arg(long, requires = "to")]
+    #[arg(long, requires = "to", conflicts_with = "mnemonics")]
     rewrite: bool,
     /// Print what came of each network as JSON
-    #[arg(long, requires = "to", conflicts_with_all = ["write", "output"])]
+    #[arg(long, requires = "to", conflicts_with_all = ["write", "output", "mnemonics"])]
     json: bool,
     /// Replace the files instead of printing
     #[arg(short, long, conflicts_with = "output")]
@@ -130,8 +130,8 @@ fn networks(arguments: &Arguments, rewriting: &Rewriting, to: NetworkTarget) -> 
         return Ok(Exit::DoesNotCompile);
     }
     let form = match arguments.form {
-        FormArgument::A => Form::A,
-        FormArgument::B => Form::B,
+        None | Some(FormArgument::A) => Form::A,
+        Some(FormArgument::B) => Form::B,
     };
     let redrawing = Redrawing {
         target: match to {
@@ -174,7 +174,7 @@ const DIFFERENT_STATEMENTS: u16 = 9020;
 
 /// The problem with a number.
 fn problem(number: u16) -> Problem {
-    Problem::from_code(&format!("P{number}")).expect("every reason has a problem code")
+    Problem::from_code(&format!("P{number}")).unwrap_or(Problem::P2401)
 }
 
 /// Why a network stays as it is.

@@ -24,8 +24,8 @@ impl Operand {
     }
 }
 
-/// The status bits that a contact may read.
-pub const STATUS_BITS: [&str; 10] = ["OV", "OS", "UO", "BR", "==0", "<>0", ">0", "<0", ">=0", "<=0"];
+/// The status bits that a contact may read; BIE is BR in German mnemonics.
+pub const STATUS_BITS: [&str; 11] = ["OV", "OS", "UO", "BR", "BIE", "==0", "<>0", ">0", "<0", ">=0", "<=0"];
 
 impl PartialEq for Operand {
     /// Where an operand stands makes no difference, nor a space in an address: `I0.0` is `I 0.0`.

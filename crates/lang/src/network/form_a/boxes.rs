@@ -112,7 +112,8 @@ impl<'t> Parser<'_, 't> {
     fn pins(&mut self, line: TextLine<'t>, mut pins: Vec<Wired>) -> Vec<Wired> {
         while let Some(next) = self.peek() {
             let Some((name, sign, rest)) = pin_of(next.content) else { break };
-            if next.indent < line.indent {
+            // `ADD => x` below a box of IEC 61131-3 is the next box, unless it is indented like a pin.
+            if next.indent < line.indent || self.flavour == Flavour::Iec && next.indent == line.indent {
                 break;
             }
             self.take(1);

@@ -187,7 +187,9 @@ impl Parser<'_> {
         }
         let s7 = self.scan.flavour == Flavour::S7;
         if !s7 && self.scan.see("/") {
-            return true;
+            // A circle at an element goes on, `/ x` is a negated coil.
+            let circled = self.scan.rest()[1..].trim_start();
+            return !["#(", "and(", "or(", "xor(", "("].iter().any(|element| circled.starts_with(element));
         }
         let word = self.scan.word();
         let after = self.scan.rest().get(word.len()..).unwrap_or_default();
