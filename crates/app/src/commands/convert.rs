@@ -182,7 +182,7 @@ fn told(network: &RedrawnNetwork, rewriting: bool) -> Diagnostic {
     let (block, number) = (network.block, network.number);
     let codes: Vec<&str> = network.codes.iter().map(|code| code.code()).collect();
     let rewrite = (!codes.is_empty() && !rewriting).then(|| format!("`--rewrite` draws it ({})", codes.join(", ")));
-    let diagnostic = match &network.refusal {
+    match &network.refusal {
         Some(refusal) => {
             let message = format!("{block}, network {number} stays STL, {}: {}", refusal.reason, refusal.message());
             let diagnostic = Diagnostic::new(problem(refusal.reason.problem()), network.span, message);
@@ -197,8 +197,7 @@ fn told(network: &RedrawnNetwork, rewriting: bool) -> Diagnostic {
             let message = format!("{block}, network {number} stays as written: drawn it would mean the same, but give other statements");
             Diagnostic::new(problem(DIFFERENT_STATEMENTS), network.span, message).help(rewrite.unwrap_or_default())
         }
-    };
-    diagnostic
+    }
 }
 
 fn to_json(file: &str, network: &RedrawnNetwork) -> Value {
