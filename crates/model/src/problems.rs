@@ -1,7 +1,7 @@
 //! The table of problem codes: code, severity, what is wrong, what to do.
 //!
 //! 1xxx characters and words, 2xxx syntax, 3xxx names, 4xxx types and ranges, 5xxx limits of the
-//! CPU type, 6xxx files and projects, 7xxx command line, 8xxx run time. A code is never reused.
+//! CPU type, 6xxx files and projects, 7xxx command line, 8xxx run time, 9xxx diagrams. A code is never reused.
 
 use crate::diagnostic::Severity;
 
@@ -388,4 +388,26 @@ problems! {
     P8032 Warning "retentive data of a program with other data blocks" "Run with --adopt and the file where it is now, to take over what still fits.";
     P8033 Error "a link or a device where retentive data is kept" "Remove it if you do not know it; to keep the data elsewhere, name the file with --retain.";
     P8034 Warning "retentive data that was removed during a run" "Nothing is lost; leave `.sieben` alone while the CPU runs (`git clean -e .sieben`).";
+
+    // 9xxx diagrams
+    P9001 Warning "a second string of logic in a network that is to be drawn (R-TWO)" "Begin a NETWORK with the second string; `convert --rewrite` does it.";
+    P9002 Warning "logic that leads to no output, in a network that is to be drawn (R-LOGIC)" "End the string with an output such as `=`, or remove it.";
+    P9003 Warning "a jump that has no coil (R-JUMP)" "Let a network end with JC, JCN or JU, and begin another one with the label.";
+    P9004 Warning "a label in the middle of a network that is to be drawn (R-LABEL)" "Begin a NETWORK with the labelled statement.";
+    P9005 Warning "an instruction that no element of a diagram stands for (R-OPCODE)" "Write the network with instructions that have an element, or leave it as STL: one block may hold both.";
+    P9006 Warning "an address that is computed at run time, in a network that is to be drawn (R-INDIRECT)" "Leave the network as STL, or use an operand with a fixed address.";
+    P9007 Warning "a load, a store or a call after logic, which does not depend on it (R-UNCOND)" "Jump over it with JNB, so that the logic becomes its EN, or put it into a network of its own.";
+    P9008 Warning "a result of a box that is not stored exactly once (R-STORE)" "Store the result with one T; `convert --rewrite` makes two MOVE boxes of two stores.";
+    P9009 Warning "two operations without a T between them, in a network that is to be drawn (R-CHAIN)" "Store the first result in a temporary variable, and load it for the second operation.";
+    P9010 Warning "a slot of a box without its NOP 0 (R-NOP)" "Add `NOP 0` for each open slot; where only one box fits, `convert --rewrite` does it.";
+    P9011 Warning "parts of a timer or counter in another order than its box has them (R-ORDER)" "Put them into the order of the box: start, reset, `L`, `LC`, and the check of its bit last.";
+    P9012 Warning "an end of a box that is neither ENO nor NOP 0 (R-ENO)" "End it as its box has it: `AN OV`, SAVE, CLR, `A BR` if it can overflow; `SET`, SAVE, CLR, `A BR` if it cannot; or `NOP 0`.";
+    P9013 Warning "brackets that do not match or hold nothing, in a network that is to be drawn (R-BRACKET)" "Close each bracket, and put logic into it.";
+    P9014 Warning "more than 7 brackets inside of one another (R-DEPTH)" "Store a part of the logic with a midline output or in a variable.";
+    P9015 Warning "a bit of local data that is stored like that of a T-branch and never read (R-BITLEFT)" "Declare a temporary variable, or use the bit in the same network.";
+    P9016 Warning "a tapped line that would run backwards in ladder (R-BACK)" "Draw the network as FBD: `convert --to fbd`.";
+    P9017 Warning "an edge, a NOT or a box for a part in the middle of a line of ladder (R-NEG)" "Draw the network as FBD: `convert --to fbd`.";
+    P9018 Warning "an operand of another width than the box takes (R-WIDTH)" "Move it to an operand of the right width first; MOVE takes any.";
+    P9019 Warning "a comparison that is jumped over like a box with EN (R-MIX)" "Compare without the jump: a comparison is a contact.";
+    P9020 Warning "a network whose diagram means the same but gives other statements" "Use `convert --rewrite` to draw it.";
 }

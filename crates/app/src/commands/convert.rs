@@ -174,7 +174,7 @@ const DIFFERENT_STATEMENTS: u16 = 9020;
 
 /// The problem with a number.
 fn problem(number: u16) -> Problem {
-    Problem::from_code(&format!("P{number}")).unwrap_or(Problem::P2401)
+    Problem::from_code(&format!("P{number}")).expect("every reason has a problem code")
 }
 
 /// Why a network stays as it is.

@@ -3,6 +3,7 @@
 //! Nothing here knows a language: operands are kept as written, and what they mean is asked of the block that the network stands in.
 
 pub mod boxes;
+pub mod elements;
 pub mod flavour;
 pub mod form_a;
 pub mod form_b;

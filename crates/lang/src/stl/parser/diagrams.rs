@@ -299,7 +299,7 @@ fn is_form_a(text: &str) -> bool {
     words::begins_line(word)
         || !word.is_empty() && rest.is_empty()
         || text.lines().any(|line| {
-            let word = line.trim_start().split_whitespace().next().unwrap_or_default();
+            let word = line.split_whitespace().next().unwrap_or_default();
             words::begins_line(word) && !matches!(word, "S" | "R" | "P" | "N")
         })
 }
