@@ -436,13 +436,12 @@ fn first_pin(written: &str) -> usize {
     match sign {
         Some(at) if at < bracket => {
             let name = written[..at].trim_end();
-            let begin = match name.strip_suffix('"') {
+            match name.strip_suffix('"') {
                 Some(inner) => inner.rfind('"').unwrap_or(0),
                 None => name
                     .rfind(|sign: char| !(sign.is_alphanumeric() || sign == '_'))
                     .map_or(0, |before| before + name[before..].chars().next().map_or(1, char::len_utf8)),
-            };
-            begin
+            }
         }
         _ => bracket.min(written.len()),
     }
