@@ -916,3 +916,100 @@ fn a_new_project_names_no_address() {
         }
     }
 }
+
+/// A project with a file of diagrams, and a statement list some of whose networks are diagrams.
+const DRAWN: &[(&str, &str)] = &[
+    ("sieben.toml", "[project]\nname = \"drawn\"\nsources = [\"*.lad\", \"*.awl\"]\nsymbols = [\"symbols.csv\"]\n"),
+    ("symbols.csv", "symbol,address,type,comment\nStart,I 0.0,BOOL,\nStop,I 0.1,BOOL,\nPump,Q 4.0,BOOL,\n"),
+    (
+        "main.lad",
+        "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\nTITLE = Pump\n    OR\n        NO  \"Start\"\n    OR\n        NO  \"Pump\"\n    END\n    NC    \"Stop\"\n\
+         \x20   COIL  \"Pump\"\nNETWORK FBD\n    CALL FC 1\n        go := \"Pump\"\n        count => MW 10\nEND_ORGANIZATION_BLOCK\n",
+    ),
+    (
+        "count.awl",
+        "FUNCTION FC 1 : VOID\nVAR_INPUT\n  go : BOOL;\nEND_VAR\nVAR_OUTPUT\n  count : INT;\nEND_VAR\nBEGIN\nNETWORK LAD\n    NO  #go\n    P   M 0.0\n\
+         \x20   ADD_I MW 20, 1 => MW 20\nNETWORK\n      L     MW 20;\n      T     #count;\nNETWORK FBD\n    XOR\n        NO  I 0.2\n    XOR\n        NO  I 0.3\n    END\n\
+         \x20   COIL  Q 4.1\nEND_FUNCTION\n",
+    ),
+];
+
+#[test]
+fn a_project_with_diagrams_is_checked_run_and_listed() {
+    let folder = Folder::with(DRAWN);
+    folder.run(&["check"]).code(0).stdout("2 blocks in 2 sources, no errors, no warnings.");
+    let show = ["--show", "Pump,MW10,Q4.1"];
+    let run = folder.run(&[&["exec", ".", "--set", "Start=1", "--set", "I0.3=1", "--scans", "3"], &show[..]].concat()).code(0);
+    assert_eq!(run.stdout, "Pump = 1\nMW10 = 16#0001\nQ4.1 = 1\n");
+
+    // References have the place and the words of the element.
+    let refs = folder.run(&["refs", "--json"]).code(0).json();
+    let all: Vec<String> = refs
+        .as_array()
+        .expect("a list")
+        .iter()
+        .flat_map(|address| address["references"].as_array().expect("a list"))
+        .map(|one| {
+            format!(
+                "{}:{} {} {}",
+                one["file"].as_str().unwrap_or_default(),
+                one["line"],
+                one["type"].as_str().unwrap_or_default(),
+                one["text"].as_str().unwrap_or_default()
+            )
+        })
+        .collect();
+    for wanted in [
+        "main.lad:6 R NO \"Start\"",
+        "main.lad:10 R NC \"Stop\"",
+        "main.lad:11 W COIL \"Pump\"",
+        "main.lad:13 call CALL FC 1",
+        "count.awl:11 RW P M 0.0",
+        "count.awl:18 R NO I 0.2",
+        "count.awl:22 W COIL Q 4.1",
+    ] {
+        assert!(all.iter().any(|one| one.starts_with(wanted)), "{wanted}: {all:#?}");
+    }
+
+    // What is wrong is said at its element, once.
+    let whole = DRAWN[2].1;
+    for (wrong, wanted) in [
+        (whole.replace("NC    \"Stop\"", "NC    \"Stopp\""), ("P3020", 10, 11)),
+        (whole.replace("    COIL  ", "    COLL  "), ("P2401", 11, 5)),
+        (whole.replace("    END\n", ""), ("P2404", 5, 5)),
+        (whole.replace("    COIL  \"Pump\"\n", ""), ("P2404", 10, 5)),
+        (whole.replace("go := \"Pump\"", "go := MW 2"), ("P4011", 14, 15)),
+    ] {
+        folder.write("main.lad", wrong.as_bytes());
+        let found = folder.run(&["check", "--json"]).code(3).json();
+        let place = |one: &serde_json::Value, key: &str| one[key].as_u64().expect("a number");
+        let found: Vec<(&str, u64, u64)> = found
+            .as_array()
+            .expect("a list")
+            .iter()
+            .map(|one| (one["code"].as_str().expect("a code"), place(one, "line"), place(one, "column")))
+            .collect();
+        assert_eq!(found, [wanted], "{wrong}");
+    }
+}
+
+#[test]
+fn diagrams_are_formatted_and_change_their_mnemonics() {
+    let folder = Folder::with(DRAWN);
+    // Order of the lines, comments and the byte order mark stay; tabs, CR LF and ragged columns do not matter.
+    folder.write("main.lad", "\u{feff}NETWORK\r\n\tNO I 0.0// a\r\n\t// b\r\n\tCOIL   Q 4.0\r\n".as_bytes());
+    folder.run(&["fmt", "--check", "main.lad"]).code(1);
+    folder.run(&["fmt", "--write", "main.lad"]).code(0);
+    let wanted = "\u{feff}NETWORK\r\n    NO  I 0.0  // a\r\n    // b\r\n    COIL  Q 4.0\r\n";
+    assert_eq!(String::from_utf8(folder.read("main.lad")).expect("UTF-8"), wanted);
+    folder.run(&["fmt", "--check", "main.lad"]).code(0);
+
+    folder.run(&["convert", "--mnemonics", "de", "--write", "main.lad", "count.awl"]).code(0);
+    assert_eq!(String::from_utf8(folder.read("main.lad")).expect("UTF-8"), wanted.replace("I 0.0", "E 0.0").replace("Q 4.0", "A 4.0"));
+    let german = String::from_utf8(folder.read("count.awl")).expect("UTF-8");
+    assert!(german.contains("NO  E 0.2") && german.contains("COIL  A 4.1") && german.contains("ADD_I MW 20, 1 => MW 20"), "{german}");
+    folder.run(&["exec", "main.lad", "--mnemonics", "de", "--set", "E0.0=1", "--show", "A4.0"]).code(0).stdout("A4.0 = 1");
+    folder.run(&["convert", "--mnemonics", "en", "--write", "main.lad", "count.awl"]).code(0);
+    assert_eq!(String::from_utf8(folder.read("main.lad")).expect("UTF-8"), wanted);
+    assert_eq!(String::from_utf8(folder.read("count.awl")).expect("UTF-8"), DRAWN[3].1);
+}

@@ -358,3 +358,35 @@ fn pages_overwrite_only_pages() {
         folder.run(&["test", "--coverage-html", "pages"]).code(0).stdout("pages for a browser: pages/index.html");
     }
 }
+
+#[test]
+fn elements_of_a_diagram_are_counted_where_they_stand() {
+    let body = "
+    OR                                      //= 3
+        NO  I 0.0                           //= 3
+    OR
+        NO  I 0.1                           //= 3
+    END
+    NC     I 0.2                            //= 3
+    COIL   Q 0.0                            //= 3 [1 2]
+    ADD_I  MW 2, 1 => MW 2                  //= 3 [1 2]
+NETWORK STL
+      L     MW 2;                           //= 3
+      T     MW 4;                           //= 3
+NETWORK FBD
+    CMP  >I MW 2, 5                         //= 3
+    JMP  weg                                //= 3 [3 0]
+NETWORK LAD
+    MOVE 1 => MW 10                         //= 3
+NETWORK LAD
+    LABEL weg:
+    NO   M 9.0                              //= 3
+    SET  M 9.1                              //= 3 [3 0]
+END_ORGANIZATION_BLOCK
+";
+    let body = body.replace("    ADD_I", "NETWORK LAD\n    NO     Q 0.0                            //= 3\n    ADD_I");
+    let tests = "TEST 'a'\n  SCAN(1);\n  %I0.1 := TRUE;\n  SCAN(2);\nEND_TEST\n";
+    for name in ["main.lad", "main.awl"] {
+        counts(name, &format!("ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK LAD{body}"), tests, &[]);
+    }
+}

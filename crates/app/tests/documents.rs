@@ -43,9 +43,9 @@ fn fences<'a>(lines: &[&'a str]) -> Vec<Fence<'a>> {
     fences
 }
 
-/// Whether a fence shows a program: STL, ST of IEC 61131-3, SCL, or a test file.
+/// Whether a fence shows a program: STL, a diagram, ST of IEC 61131-3, SCL, or a test file.
 fn is_source(language: &str) -> bool {
-    matches!(language, "stl" | "st" | "scl" | "test")
+    matches!(language, "stl" | "lad" | "fbd" | "st" | "scl" | "test")
 }
 
 /// The file that an example without a name is written to: its end says the language.

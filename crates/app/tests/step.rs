@@ -378,3 +378,20 @@ fn reasons_of_structured_text_read_as_the_program_does() {
     // The first turn of a loop shows its condition, as every other does.
     assert_eq!(run.stdout.lines().filter(|line| line.ends_with("  y > 102")).count(), 2, "{}", run.stdout);
 }
+
+#[test]
+fn an_element_of_a_diagram_is_paused_at_and_named_like_a_statement() {
+    let source = "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n    OR\n        NO  I 0.0\n    OR\n        NO  Q 4.0\n    END\n    NC    I 0.1\n    COIL  Q 4.0\n\
+                  NETWORK STL\n      A     Q 4.0;\n      =     Q 4.1;\nNETWORK FBD\n    MOVE 7 => MW 2\nEND_ORGANIZATION_BLOCK\n";
+    let folder = Folder::with(&[
+        ("main.lad", source),
+        ("steps.txt", "set I0.0=1\nbreak main.lad:10\nrun\nstep\nscan\nwho Q4.0\nwho MW2\nwho Q4.1\n"),
+    ]);
+    let run = folder.run(&["step", "main.lad", "--commands", "steps.txt"]).code(0);
+    assert!(run.stdout.contains("breakpoint 1: main.lad:10\n  next: main.lad:10: = Q 4.0"), "{}", run.stdout);
+    for (name, place) in [("Q4.0", "main.lad:10: = Q 4.0"), ("MW2", "main.lad:15: T MW 2"), ("Q4.1", "main.lad:13: = Q 4.1")] {
+        assert!(run.stdout.lines().any(|line| line.contains(&format!("{name}: ")) && line.contains(place)), "{name}: {}", run.stdout);
+    }
+    let run = folder.run(&["step", "main.lad", "--commands", "steps.txt", "--json"]).code(0);
+    assert!(run.stdout.contains("\"file\":\"main.lad\",\"line\":10,\"text\":\"= Q 4.0\""), "{}", run.stdout);
+}

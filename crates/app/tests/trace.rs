@@ -14,6 +14,9 @@ fn a_trace_without_channels_draws_the_inputs_and_outputs_by_their_symbols() {
     assert!(run.stdout.contains("\nStart\n") && run.stdout.contains("\"Motor.1\""), "{}", run.stdout);
     let german = Folder::with(&[("lampe.awl", "U E 0.0\n= A 4.1\n")]);
     german.run(&["trace", "lampe.awl", "--ascii"]).code(0).stdout("E 0.0").stdout("A 4.1");
+    let drawn = Folder::with(&[("lamp.lad", "I 0.0 S_ODT[T 1](TV := S5T#50MS) -> = Q 0.0\n"), ("symbols.csv", symbols)]);
+    let drawn = drawn.run(&["trace", "lamp.lad", "symbols.csv", "--set", "Start=1", "--scans", "20"]).code(0);
+    assert_eq!(drawn.stdout, run.stdout, "the timing diagram of a ladder diagram is that of its statement list");
     let st = Folder::with(&[("main.st", "PROGRAM main\nVAR level AT %IW4 : INT; full : BOOL; END_VAR\nfull := level > 5;\nEND_PROGRAM\n")]);
     st.run(&["trace", "main.st", "--set", "level=7"]).code(0).stdout("level").stdout("7");
     st.run(&["trace", "main.st", "--channels", "full,level", "--at", "20ms", "level=7", "--scans", "5", "--csv", "-"])

@@ -67,6 +67,8 @@ struct Formatter {
     line: Line,
     /// A blank stood before the next token.
     blank: bool,
+    /// That blank as it is written.
+    written_blank: String,
     /// Empty lines since the last line; at most one is kept.
     empty: usize,
     nodes: Vec<SyntaxKind>,
@@ -96,6 +98,7 @@ impl Formatter {
             newline,
             line: Line::default(),
             blank: false,
+            written_blank: String::new(),
             empty: 0,
             nodes: Vec::new(),
             fresh_node: false,
@@ -134,10 +137,16 @@ impl Formatter {
         match kind {
             SyntaxKind::Blank => {
                 self.blank = true;
+                text.clone_into(&mut self.written_blank);
                 return;
             }
-            SyntaxKind::Diagram => return self.diagram(text),
+            SyntaxKind::Diagram => {
+                // The blank before the first element says how deep it lies.
+                let indentation = std::mem::take(&mut self.written_blank);
+                return self.diagram(&(indentation + text));
+            }
             SyntaxKind::Newline => {
+                self.written_blank.clear();
                 match self.line.used {
                     _ if std::mem::take(&mut self.after_diagram) => {}
                     true => self.end_line(),
@@ -147,6 +156,7 @@ impl Formatter {
             }
             _ => {}
         }
+        self.written_blank.clear();
         if kind == SyntaxKind::Keyword && self.line.used && begins_line(text) {
             self.end_line();
         }

@@ -49,6 +49,14 @@ pub(super) struct Opener {
     word: &'static str,
 }
 
+/// Branches that each begin with the same word.
+struct Group<'t> {
+    /// Each with its first line, and whether that has a circle.
+    branches: Vec<(Rung, TextLine<'t>, bool)>,
+    /// It has its END.
+    closed: bool,
+}
+
 pub(super) struct Parser<'l, 't> {
     pub(super) lines: &'l [TextLine<'t>],
     pub(super) at: usize,
@@ -236,11 +244,12 @@ impl<'t> Parser<'_, 't> {
     }
 
     /// Branches that each begin with the same word, up to END.
-    fn group(&mut self, first: TextLine<'t>, word: &'static str) -> Vec<(Rung, TextLine<'t>, bool)> {
+    fn group(&mut self, first: TextLine<'t>, word: &'static str) -> Group<'t> {
         let mut branches = Vec::new();
         if !self.deeper(first) {
-            return branches;
+            return Group { branches, closed: false };
         }
+        let mut closed = true;
         let opener = Opener { indent: first.indent, word };
         let mut line = first;
         loop {
@@ -262,23 +271,26 @@ impl<'t> Parser<'_, 't> {
                 }
                 _ => {
                     self.mistake(MistakeKind::Open, first, format!("`{word}` has no `END`"));
+                    closed = false;
                     break;
                 }
             }
         }
         self.depth -= 1;
-        branches
+        Group { branches, closed }
     }
 
     fn branches(&mut self, first: TextLine<'t>) -> Vec<Rung> {
-        self.group(first, "BRANCH").into_iter().map(|(rung, ..)| rung).collect()
+        self.group(first, "BRANCH").branches.into_iter().map(|(rung, ..)| rung).collect()
     }
 
     /// The lines of a group whose branches end in nothing.
     fn inputs(&mut self, first: TextLine<'t>, word: &'static str) -> Vec<(Line, TextLine<'t>, bool)> {
         let mut inputs = Vec::new();
-        for (rung, line, negated) in self.group(first, word) {
-            if rung.end != End::Open {
+        let group = self.group(first, word);
+        for (rung, line, negated) in group.branches {
+            // Without its END a group takes in the coils after it.
+            if rung.end != End::Open && group.closed {
                 self.mistake(MistakeKind::Position, line, format!("a branch of `{word}` has no coil; a T-branch is written with `BRANCH`"));
             }
             if rung.line.is_empty() {

@@ -25,7 +25,15 @@ use crate::stl::mnemonics::{NOTATIONS, translate_instruction, translate_status};
 use crate::stl::syntax::SyntaxKind;
 
 /// Operands of a diagram that were read, by their first byte.
-type Read = HashMap<u32, (Operand, Span)>;
+type Operands = HashMap<u32, (Operand, Span)>;
+
+/// How much of a network was understood.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Read {
+    Whole,
+    /// Elements are missing: nothing is said of wires that end where they stood.
+    InPart,
+}
 
 impl Parser<'_> {
     /// The word after NETWORK that says how the network is written; without one it is as the file's name says.
@@ -69,8 +77,9 @@ impl Parser<'_> {
         let under_network = !block.networks.is_empty();
         if is_form_a(self.slice(from, to)) {
             let parsed = form_a::parse(self.text, from, to, Flavour::S7);
+            let read = if parsed.mistakes.is_empty() { Read::Whole } else { Read::InPart };
             parsed.mistakes.into_iter().for_each(|mistake| self.mistake(mistake, drawing, block));
-            self.network_of(block, &parsed.network, drawing);
+            self.network_of(block, &parsed.network, drawing, read);
             return;
         }
         // On one line: each line is a network, unless the networks are told apart by their keyword.
@@ -84,7 +93,7 @@ impl Parser<'_> {
             }
             first = false;
             match form_b::parse(&line, line_start, Flavour::S7) {
-                Ok(network) => self.network_of(block, &network, drawing),
+                Ok(network) => self.network_of(block, &network, drawing, Read::Whole),
                 Err(mistake) => self.mistake(mistake, drawing, block),
             }
         }
@@ -97,7 +106,10 @@ impl Parser<'_> {
         for line in self.text[self.position..].split_inclusive('\n') {
             let content = line.trim();
             let word = content.split(|sign: char| !(sign.is_alphanumeric() || sign == '_')).next().unwrap_or_default();
-            if matches!(keyword_of(word), Some(Keyword::BlockStart(_) | Keyword::BlockEnd(_) | Keyword::Network | Keyword::Title)) {
+            let is_pin = [":=", "=>"].iter().any(|sign| content[word.len()..].trim_start().starts_with(sign));
+            if !is_pin
+                && matches!(keyword_of(word), Some(Keyword::BlockStart(_) | Keyword::BlockEnd(_) | Keyword::Network | Keyword::Title))
+            {
                 break;
             }
             if !content.is_empty() {
@@ -129,20 +141,24 @@ impl Parser<'_> {
     }
 
     /// The statements of a network.
-    fn network_of(&mut self, block: &mut Block, network: &Network, drawing: Drawing) {
-        rules::mistakes(network, Flavour::S7, Some(drawing)).into_iter().for_each(|mistake| self.mistake(mistake, drawing, block));
+    fn network_of(&mut self, block: &mut Block, network: &Network, drawing: Drawing, read: Read) {
+        let mut mistakes = rules::mistakes(network, Flavour::S7, Some(drawing));
+        if read == Read::InPart {
+            mistakes.retain(|mistake| !matches!(mistake.kind, MistakeKind::Open | MistakeKind::Short | MistakeKind::Position));
+        }
+        mistakes.into_iter().for_each(|mistake| self.mistake(mistake, drawing, block));
         if network.content == Content::Empty && network.label.is_none() {
             return;
         }
         let written = write::write(network, 0, &mut self.generated_labels);
-        let mut read = Read::new();
+        let mut read = Operands::new();
         for statement in written.statements {
             let statement = self.statement_of(&statement, &mut read);
             block.statements.push(statement);
         }
     }
 
-    fn statement_of(&mut self, statement: &Statement, read: &mut Read) -> ast::Statement {
+    fn statement_of(&mut self, statement: &Statement, read: &mut Operands) -> ast::Statement {
         // Of a network that has only a label its statement stands where the label does.
         let labelled = statement
             .label
@@ -180,7 +196,7 @@ impl Parser<'_> {
     }
 
     /// An operand, read where it is written.
-    fn written_operand(&mut self, operand: &Written, span: Span, read: &mut Read) -> (Operand, Span) {
+    fn written_operand(&mut self, operand: &Written, span: Span, read: &mut Operands) -> (Operand, Span) {
         let Some(start) = operand.start else { return (self.made_up(operand, span), span) };
         if let Some(known) = read.get(&start) {
             return known.clone();
@@ -222,7 +238,7 @@ impl Parser<'_> {
         Operand::Name { word: Word { text: text.to_owned(), span }, path: Vec::new() }
     }
 
-    fn call_of(&mut self, statement: &Statement, span: Span, read: &mut Read) -> Operand {
+    fn call_of(&mut self, statement: &Statement, span: Span, read: &mut Operands) -> Operand {
         let (callee, callee_span) = self.written_operand(&statement.operand, span, read);
         let instance = statement.instance.as_ref().map(|instance| self.written_operand(instance, span, read));
         let arguments = statement
@@ -241,18 +257,10 @@ impl Parser<'_> {
     }
 }
 
-/// The text of a diagram that was parsed without mistakes in the usual layout: one element on each line, four spaces for each level.
+/// The text of a diagram that was parsed without mistakes, with the blanks before its first line, in the usual layout: one element on each line, four spaces for
+/// each level.
 pub(in crate::stl) fn layout(text: &str) -> String {
     if is_form_a(text) {
-        // The first line has lost its indentation; it is one of those that are indented least.
-        let rest = text.split_once('\n').map_or("", |(_, rest)| rest);
-        let least = rest.lines().filter(|line| !line.trim().is_empty()).map(|line| line.len() - line.trim_start().len()).min();
-        let text = &format!(
-            "{}{text}",
-            rest.lines()
-                .find(|line| !line.trim().is_empty() && Some(line.len() - line.trim_start().len()) == least)
-                .map_or("", |line| &line[..least.unwrap_or(0)])
-        );
         return form_a::format(text, 0, text.len(), &form_a::parse(text, 0, text.len(), Flavour::S7));
     }
     text.lines().map(|line| format!("{}\n", line.trim())).collect()

@@ -135,7 +135,8 @@ fn call(telling: &Telling<'_>) -> Clause {
 fn passed(reader: &Reader<'_>, parameter: &CallParameter, known: bool, telling: &Telling<'_>) -> Option<Words> {
     let name = &parameter.name;
     let written = one_line(telling.around.slice(parameter.span));
-    let written = written.split_once(":=").map_or(written.as_str(), |(_, actual)| actual.trim());
+    // An output of a box is written with an arrow.
+    let written = written.split_once(":=").or_else(|| written.split_once("=>")).map_or(written.as_str(), |(_, actual)| actual.trim());
     let text = |value: &Words| Words([format!("{name} = {}", value.0[0]), format!("{name} = {}", value.0[1])]);
     if matches!(parameter.section, Section::Output | Section::Return) {
         return Some(format!("{name} => {written}").into());
