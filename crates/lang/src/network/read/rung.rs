@@ -217,7 +217,9 @@ impl<'s> Reader<'s> {
         let at = self.at;
         let one = self.peek() == "SET";
         self.at += 1;
-        let Some(bit) = self.current().map(|one| one.operand.clone()) else { return self.before(Reason::Opcode) };
+        let Some(bit) = self.current().filter(|one| matches!(one.mnemonic, "=" | "S" | "R")).map(|one| one.operand.clone()) else {
+            return self.before(Reason::Opcode);
+        };
         let place = self.place(at, at);
         let contact = |negated| Kind::contact(bit.clone(), negated).at(place);
         let line = match one {
@@ -288,10 +290,7 @@ impl<'s> Reader<'s> {
                 return self.here(Reason::Logic);
             }
             self.at += length;
-            let last = matches!(
-                kind,
-                OutputKind::Jump(_) | OutputKind::JumpNot(_) | OutputKind::Return | OutputKind::McrStart | OutputKind::Call(_)
-            );
+            let last = !matches!(kind, OutputKind::Assign(_) | OutputKind::Set(_) | OutputKind::Reset(_) | OutputKind::Save);
             outputs.push(kind.at(self.place(at, self.at - 1)));
             if last {
                 break;
