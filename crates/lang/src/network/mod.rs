@@ -7,6 +7,7 @@ pub mod elements;
 pub mod flavour;
 pub mod form_a;
 pub mod form_b;
+pub mod fuzz;
 pub mod mistake;
 pub mod model;
 pub mod operand;

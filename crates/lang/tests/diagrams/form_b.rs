@@ -40,6 +40,12 @@ const LINES: &[(&str, &str, &str)] = &[
         "|- CALL FB 3, DB 6(IN := I 0.0, SPEED := MW 10, OUT => Q 4.0, B := \"x\")",
         "A I 0.0; = L 6.0; BLD 103; CALL FB 3, DB 6 ( IN := L 6.0, SPEED := MW 10, OUT := Q 4.0, B := \"x\" ); NOP 0",
     ),
+    ("|- MOVE(\"Level\" => MW 0)", "|- MOVE(\"Level\" => MW 0)", "L \"Level\"; T MW 0; NOP 0"),
+    (
+        "I 0.0 S_CU[C 1](S := I 0.1, PV := 3)",
+        "S_CU[C 1](CU := I 0.0, S := I 0.1, PV := 3)",
+        "A I 0.0; CU C 1; BLD 101; A I 0.1; L 3; S C 1; NOP 0; NOP 0; NOP 0; NOP 0",
+    ),
     ("|- MOVE(P#M 0.0 BYTE 4 => MD 0)", "|- MOVE(P#M 0.0 BYTE 4 => MD 0)", "L P#M 0.0 BYTE 4; T MD 0; NOP 0"),
     ("LABEL m1: |- JMP m2", "LABEL m1: |- JMP m2", "m1: JU m2"),
 ];

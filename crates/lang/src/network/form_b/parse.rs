@@ -52,7 +52,9 @@ fn syntax(text: &str, offset: usize, flavour: Flavour) -> Parsed<Network> {
 pub(super) enum Left {
     /// Nothing stands there.
     Nothing,
-    /// The tapped line, or an element.
+    /// The tapped line. Written as `.` it stays an element until the whole rung is read.
+    Tap,
+    /// An element.
     Line,
 }
 
@@ -62,22 +64,29 @@ pub(super) struct Parser<'t> {
 
 impl Parser<'_> {
     fn network(&mut self) -> Parsed<Network> {
-        let label = if self.scan.eat_word("LABEL") {
-            let name = self.label()?;
-            self.scan.want(":", "`:` is missing after the name of the label")?;
-            Some(name)
-        } else {
-            None
-        };
+        let label = self.own_label();
         let content = self.content()?;
         Ok(Network { label, content })
     }
 
+    /// `LABEL M001:`; without a colon LABEL is a name like others.
+    fn own_label(&mut self) -> Option<Operand> {
+        let from = self.scan.at;
+        let label = self.scan.eat_word("LABEL").then(|| self.label().ok()).flatten();
+        if label.is_some() && !self.scan.see(":=") && self.scan.eat(":") {
+            return label;
+        }
+        self.scan.at = from;
+        None
+    }
+
     fn content(&mut self) -> Parsed<Content> {
-        if self.scan.ended() || (self.scan.eat_word("empty") && self.scan.eat_word("network")) {
+        self.scan.space();
+        let from = self.scan.at;
+        if self.scan.ended() || (self.scan.eat_word("empty") && self.scan.eat_word("network") && self.scan.ended()) {
             return Ok(Content::Empty);
         }
-        let from = self.scan.at;
+        self.scan.at = from;
         if self.scan.eat("|-")
             && let Some(alone) = self.alone()?
         {
@@ -134,7 +143,7 @@ impl Parser<'_> {
         self.scan.enter()?;
         let mut rung = self.rung_inside(left)?;
         self.scan.leave();
-        if left == Left::Line && rung.line.get(1..).is_some_and(|rest| !reads_tap(rest)) {
+        if left == Left::Tap && rung.line.get(1..).is_some_and(|rest| !reads_tap(rest)) {
             // It comes from the left in any case.
             strip_tap(&mut rung.line);
         }
@@ -162,7 +171,7 @@ impl Parser<'_> {
             if self.scan.eat("{") {
                 let mut rungs = Vec::new();
                 loop {
-                    rungs.push(self.rung(Left::Line)?);
+                    rungs.push(self.rung(Left::Tap)?);
                     if self.scan.eat("}") {
                         return Ok(Rung { line, end: End::Branches(rungs) });
                     }
@@ -260,13 +269,12 @@ impl Parser<'_> {
 
     /// The next part of a line; what acts on a part only stays a group of its own.
     fn part(&mut self, line: &mut Line, left: Left) -> Parsed<()> {
-        let had = left == Left::Line || !line.is_empty();
-        let left = if had { Left::Line } else { Left::Nothing };
+        let left = if line.is_empty() { left } else { Left::Line };
         self.scan.space();
         let from = self.scan.at;
         let bracket = self.scan.see("(");
         let part = self.elements(left)?;
-        if bracket && had && part.iter().any(|one| one.kind.acts_on_line()) {
+        if bracket && left != Left::Nothing && part.iter().any(|one| one.kind.acts_on_line()) {
             line.push(Kind::Group { line: part, negated: false }.at(self.scan.since(from)));
         } else {
             line.extend(part);
@@ -367,6 +375,9 @@ impl Parser<'_> {
             (name, Some('(' | '[')) if !s7 && !name.is_empty() && self.names_a_box(name) => self.named_box(name, from),
             _ => {
                 let operand = self.scan.operand()?;
+                if s7 && operand.starts_with(|sign: char| sign.is_ascii_digit()) {
+                    return self.scan.wrong_at(from, format!("a contact reads a bit, such as `I 0.0`, and `{operand}` is a number"));
+                }
                 self.one(Kind::contact(operand, false), from)
             }
         }
@@ -436,7 +447,7 @@ impl Parser<'_> {
         self.scan.want(",", "`,` and the edge memory bit are missing after the input")?;
         let memory = self.scan.operand()?;
         self.scan.want(")", "`)` is missing after the edge memory bit")?;
-        if left == Left::Line && !strip_tap(&mut line) {
+        if !takes_left(&mut line, left) {
             return self.scan.wrong_at(mark, "the line from the left is not used; write `.` for it: `P(and(., I 0.0), M 1.0)`");
         }
         line.push(Kind::Edge { falling, memory }.at(self.scan.since(from)));
@@ -490,7 +501,7 @@ impl Parser<'_> {
                     if index == 0 && left == Left::Line && is_tap(&input) {
                         continue;
                     }
-                    let had = left == Left::Line || !whole.is_empty();
+                    let had = left != Left::Nothing || !whole.is_empty();
                     if had && input.iter().any(|one| one.kind.acts_on_line()) {
                         whole.push(Kind::Group { line: input, negated: false }.at(place));
                     } else {
@@ -523,8 +534,17 @@ impl Parser<'_> {
     }
 }
 
+/// A box of FBD goes on from what stands to its left, written as `.` in its first input; says whether it does.
+pub(super) fn takes_left(input: &mut Line, left: Left) -> bool {
+    match left {
+        Left::Nothing => true,
+        Left::Tap => reads_tap(input),
+        Left::Line => strip_tap(input),
+    }
+}
+
 /// Takes away the line from the left that a line begins with; says whether it was there.
-pub(super) fn strip_tap(line: &mut Line) -> bool {
+fn strip_tap(line: &mut Line) -> bool {
     let found = line.get(..1).is_some_and(is_tap);
     if found {
         line.remove(0);

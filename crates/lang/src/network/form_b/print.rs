@@ -215,16 +215,23 @@ impl Printer {
 
     fn named(&self, named: &NamedBox) -> String {
         let mut pins: Vec<String> = named.power.iter().map(|pin| format!("{pin} := .")).collect();
+        let outputs = named.outputs.iter().map(|(name, output)| match name {
+            Some(name) => format!("{name} => {output}"),
+            None => format!("=> {output}"),
+        });
+        // After an input without a name the name of an output would be the next input.
+        let (first, last): (Vec<_>, Vec<_>) = match named.inputs.iter().any(|input| input.name.is_none()) {
+            true => outputs.partition(|pin: &String| !pin.starts_with("=>")),
+            false => (Vec::new(), outputs.collect()),
+        };
+        pins.extend(first);
         for input in &named.inputs {
             let line = self.inside(&input.line);
             let line = if input.negated && input.line.len() > 1 { format!("({line})") } else { line };
             let name = input.name.as_ref().map(|name| format!("{name} := ")).unwrap_or_default();
             pins.push(format!("{name}{}{line}", slash(input.negated)));
         }
-        for (name, output) in &named.outputs {
-            let name = name.as_ref().map(|name| format!("{name} ")).unwrap_or_default();
-            pins.push(format!("{name}=> {output}"));
-        }
+        pins.extend(last);
         pins.extend(named.flow.iter().map(|pin| format!("{pin} => .")));
         let instance = named.instance.as_ref().map(|instance| format!("[{instance}]")).unwrap_or_default();
         format!("{}{instance}({})", named.name, pins.join(", "))

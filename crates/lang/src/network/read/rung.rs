@@ -289,10 +289,7 @@ impl<'s> Reader<'s> {
                 return self.here(Reason::Logic);
             }
             self.at += length;
-            let last = matches!(
-                kind,
-                OutputKind::Jump(_) | OutputKind::JumpNot(_) | OutputKind::Return | OutputKind::McrStart | OutputKind::Call(_)
-            );
+            let last = !matches!(kind, OutputKind::Assign(_) | OutputKind::Set(_) | OutputKind::Reset(_) | OutputKind::Save);
             outputs.push(kind.at(self.place(at, self.at - 1)));
             if last {
                 break;
