@@ -12,7 +12,7 @@ pub(crate) struct Example {
 }
 
 macro_rules! examples {
-    ($($name:literal $source:literal $about:literal)*) => {
+    ($($name:literal $source:literal $(, $beside:literal)? ; $about:literal)*) => {
         /// All examples.
         pub(crate) const ALL: &[Example] = &[$(Example {
             name: $name,
@@ -22,6 +22,7 @@ macro_rules! examples {
                 ("symbols.csv", include_str!(concat!("../../../examples/", $name, "/symbols.csv"))),
                 ("README.md", include_str!(concat!("../../../examples/", $name, "/README.md"))),
                 ($source, include_str!(concat!("../../../examples/", $name, "/", $source))),
+                $(($beside, include_str!(concat!("../../../examples/", $name, "/", $beside))),)?
                 (concat!($name, ".scenario"), include_str!(concat!("../../../examples/", $name, "/", $name, ".scenario"))),
                 (concat!($name, ".test.st"), include_str!(concat!("../../../examples/", $name, "/", $name, ".test.st"))),
             ],
@@ -30,16 +31,16 @@ macro_rules! examples {
 }
 
 examples! {
-    "car-park" "car-park.st" "a car park that counts, in ST"
-    "conveyor" "conveyor.awl" "a conveyor with a jump distributor"
-    "decade-switches" "decade-switches.awl" "decade switches and a display, with German mnemonics"
-    "dosing" "dosing.awl" "dosing of a liquid, the plant of the demo"
-    "elevator" "elevator.scl" "an elevator with four floors, in SCL"
-    "heater" "heater.scl" "an oven with a PI controller, in SCL"
-    "packing" "packing.awl" "packing with pointers"
-    "star-delta" "star-delta.awl" "a star-delta starter, with German mnemonics"
-    "tank" "tank.awl" "a tank whose level is kept"
-    "traffic-light" "traffic-light.awl" "a traffic light, with German mnemonics"
+    "car-park" "car-park.st"; "a car park that counts, in ST"
+    "conveyor" "conveyor.awl"; "a conveyor with a jump distributor"
+    "decade-switches" "decade-switches.awl"; "decade switches and a display, with German mnemonics"
+    "dosing" "dosing.awl"; "dosing of a liquid, the plant of the demo"
+    "elevator" "elevator.scl"; "an elevator with four floors, in SCL"
+    "heater" "heater.scl"; "an oven with a PI controller, in SCL"
+    "packing" "packing.awl"; "packing with pointers"
+    "star-delta" "star-delta.awl", "star-delta.lad"; "a star-delta starter, with German mnemonics"
+    "tank" "tank.awl"; "a tank whose level is kept"
+    "traffic-light" "traffic-light.awl"; "a traffic light, with German mnemonics"
 }
 
 impl Example {

@@ -307,7 +307,7 @@ fn variables_of_data_blocks_have_their_types() {
 #[test]
 fn a_new_project_has_the_language_that_is_wanted_and_tests_that_pass() {
     let folder = Folder::new();
-    for language in ["stl", "st", "scl"] {
+    for language in ["stl", "st", "scl", "lad", "fbd"] {
         folder.run(&["new", language, "--language", language]).code(0).stdout("src/main.");
         folder.run(&["check", language]).code(0).stdout("no errors, no warnings.");
         folder.run(&["fmt", "--check", language]).code(0);

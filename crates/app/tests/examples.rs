@@ -141,3 +141,47 @@ fn the_same_seed_is_the_same_run_on_both_engines() {
         assert!(interpreted == run("jit").0, "{name}: the engines differ");
     }
 }
+
+/// A program that lies next to the sources of an example as a ladder diagram does the same: what its tests and its scenario say, and what the statement list does in every scan.
+#[test]
+fn a_ladder_diagram_next_to_an_example_does_the_same() {
+    let example =
+        examples().into_iter().find(|example| example.join("star-delta.lad").is_file()).expect("an example with a ladder diagram");
+    let name = name(&example);
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("drawn-example");
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).expect("a folder");
+    for entry in fs::read_dir(&example).expect("the example") {
+        let path = entry.expect("an entry").path();
+        fs::copy(&path, folder.join(path.file_name().expect("a name"))).expect("a copy");
+    }
+    let settings = fs::read_to_string(example.join("sieben.toml")).expect("settings");
+    assert!(settings.contains("star-delta.awl") && !settings.contains("star-delta.lad"), "the diagram is no second program");
+    let drawn = settings.replace("star-delta.awl", "star-delta.lad");
+    fs::write(folder.join("sieben.toml"), drawn).expect("settings");
+
+    assert_eq!(sieben(&["check", "--json"], &folder), ("[]\n".to_owned(), Some(0)));
+    let (text, code) = sieben(&["fmt", "--check"], &folder);
+    assert_eq!(code, Some(0), "{text}");
+    let outcomes = |folder: &Path, engine: &str| {
+        let (text, code) = sieben(&["test", "--engine", engine], folder);
+        let text: Vec<String> = text
+            .lines()
+            .filter(|line| line.starts_with("ok "))
+            .map(|line| line.rsplit(": ").next().unwrap_or_default().to_owned())
+            .collect();
+        (text.len(), code)
+    };
+    let scenario = example.join(format!("{name}.scenario"));
+    let scenario = scenario.to_str().expect("a path in UTF-8");
+    let signals = "IB0,IB8,QB0,QB8,T 1,T 2,T 3,Motor1.on,Motor1.star_done,Motor1.differs,Motor1.fault";
+    let recorded =
+        |folder: &Path, engine: &str| sieben(&["trace", scenario, "--engine", engine, "--channels", signals, "--csv", "-"], folder);
+    for engine in ["interpreter", "jit"] {
+        assert_eq!(outcomes(&folder, engine), outcomes(&example, engine), "{engine}");
+        let (list, diagram) = (recorded(&example, engine), recorded(&folder, engine));
+        assert_eq!(list.1, Some(0), "{}", list.0);
+        assert!(list.0.lines().count() > 5, "{}", list.0);
+        assert!(list == diagram, "{engine}: the programs differ");
+    }
+}

@@ -1,5 +1,6 @@
 //! Runs the executable manual: every section of every page under spec/, in both mnemonic languages, on every engine.
 
+mod drawn;
 mod equality;
 mod program;
 
@@ -308,6 +309,52 @@ fn the_awlsim_pages_come_true() {
     run_folder("awlsim");
 }
 
+/// Runs the checks of all pages of a folder on their programs of STL as LAD, as FBD and as STL again.
+fn run_drawn(folder: &str) -> drawn::Count {
+    let mut report = String::new();
+    let mut count = drawn::Count::default();
+    for (name, page) in pages(folder) {
+        for section in sections(&page).iter().filter(|section| !section.stl.is_empty() && section.st.is_empty()) {
+            for (line, text) in &section.checks {
+                let Ok(scenario) = Scenario::parse(text) else { continue };
+                if scenario.known_gap.is_some() {
+                    continue;
+                }
+                let cpu_type = scenario.cpu.unwrap_or(&CpuType::ALL[0]);
+                let forms = match drawn::forms(&section.stl, cpu_type, &mut count) {
+                    Ok(forms) => forms,
+                    Err(message) => {
+                        let _ = writeln!(report, "{name}:{line}: {message}");
+                        continue;
+                    }
+                };
+                for (index, form) in forms.iter().enumerate() {
+                    // The forms after the first one are made of it.
+                    for (engine, load) in program::ENGINES.iter().take(if index == 0 { program::ENGINES.len() } else { 1 }) {
+                        let mut cpu =
+                            || program::cpu_with(&form.compiled, cpu_type, *load, scenario.modules.clone(), form.settings.clone());
+                        let failed = scenario.run_watched(&SymbolTable::default(), &mut cpu, &mut |_| {});
+                        if let Some(failure) = failed.first() {
+                            let _ = writeln!(report, "{name}:{line} {}, {engine}: {}\n{}", form.name, failure.message, form.text);
+                        }
+                    }
+                }
+            }
+        }
+    }
+    assert!(report.is_empty(), "programs that do something else when they are drawn:\n\n{report}");
+    count
+}
+
+#[test]
+fn programs_of_the_pages_do_the_same_when_they_are_drawn() {
+    for folder in ["course", "stl", "diagrams"] {
+        let count = run_drawn(folder);
+        println!("{folder}: {count:?}");
+        assert!(count.exact > 0 && count.equivalent + count.exact > count.no / 4, "{folder}: {count:?}");
+    }
+}
+
 #[test]
 fn every_example_of_the_courses_has_a_section() {
     let headings: Vec<String> = pages("course").iter().flat_map(|(_, page)| sections(page)).map(|section| section.heading).collect();
@@ -319,6 +366,23 @@ fn every_example_of_the_courses_has_a_section() {
         .chain((1..=15).map(|n| format!("S4-{n:02}")));
     let missing: Vec<String> = ids.filter(|id| !headings.iter().any(|heading| heading.starts_with(id.as_str()))).collect();
     assert!(missing.is_empty(), "no section for {}", missing.join(", "));
+}
+
+/// The diagrams of the courses in STL's world; those of IEC 61131-3 have pages of their own.
+#[test]
+fn every_s7_diagram_of_the_courses_has_a_section_with_a_diagram() {
+    let drawn: Vec<String> = pages("diagrams")
+        .iter()
+        .flat_map(|(_, page)| sections(page))
+        .filter(|section| !section.stl.is_empty() && !section.diagrams.is_empty())
+        .map(|section| section.heading)
+        .collect();
+    let missing: Vec<String> = (1..=22)
+        .chain(40..=44)
+        .map(|n| format!("S-LAD-{n:02}"))
+        .filter(|id| !drawn.iter().any(|heading| heading.starts_with(id.as_str())))
+        .collect();
+    assert!(missing.is_empty(), "no diagram for {}", missing.join(", "));
 }
 
 /// Sections whose programs show the trap that is warned of: page, beginning of the heading, warning.

@@ -377,7 +377,7 @@ fn source_of(blocks: &[(String, Vec<String>)], others: &[(String, Vec<String>)],
             }
         };
         let body = networks.iter().map(|network| match language {
-            "" => format!("NETWORK\n{};\n", network.replace("(; ", "(;\n").replace("; ", ";\n").replace(");\n)", ");\n)")),
+            "" => format!("NETWORK\n{};\n", network.replace("(; ", "(;\n").replace("; ", ";\n")),
             drawing => format!("NETWORK {drawing}\n{network}\n"),
         });
         out = format!("{head}BEGIN\n{}END_{kind}\n{out}", body.collect::<String>());

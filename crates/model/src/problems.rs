@@ -374,6 +374,10 @@ problems! {
     P7044 Error "a recording that cannot be used" "Record the run again with `sieben step --record`.";
     P7050 Error "a rule for a name that the recording does not have" "Write the name as the scenario does: `--map`, `--tolerance` and `--ignore` speak of what was recorded.";
     P7051 Error "a rule for a recording that is not understood" "Write `--map OLD=NEW`, `--within 2`, `--tolerance NAME=0.5` or `--tolerance 2%`.";
+    P7080 Error "a block without networks" "Name a block of STL, LAD or FBD; Structured Text has no networks to draw.";
+    P7081 Error "a file that no diagram is written to" "Name a file that ends in `.svg`, `.html` or `.txt`.";
+    P7082 Error "a network that a block does not have" "Name a network of the block by its number, from 1.";
+    P7083 Error "a network that is no diagram" "Choose a network that can be drawn, or try `--as fbd`; `sieben render` shows which can.";
 
     // 8xxx run time
     P8001 Error "the CPU went to STOP" "Read the diagnostic buffer: it names the block and the statement.";

@@ -45,17 +45,17 @@ pub(crate) struct Arguments {
     /// What networks become
     #[arg(long, value_name = "LANGUAGE")]
     to: Option<NetworkTarget>,
-    /// How diagrams are written: a one element on each line, b one network on each line
-    #[arg(long, value_name = "FORM", default_value = "a", requires = "to")]
-    form: FormArgument,
+    /// How diagrams are written: a one element on each line, b one network on each line [default: a]
+    #[arg(long, value_name = "FORM", requires = "to", conflicts_with = "mnemonics")]
+    form: Option<FormArgument>,
     /// Only the networks of this block
-    #[arg(long, value_name = "BLOCK", requires = "to")]
+    #[arg(long, value_name = "BLOCK", requires = "to", conflicts_with = "mnemonics")]
     block: Option<String>,
     /// Rewrite what means the same so that it can be drawn
-    #[arg(long, requires = "to")]
+    #[arg(long, requires = "to", conflicts_with = "mnemonics")]
     rewrite: bool,
     /// Print what came of each network as JSON
-    #[arg(long, requires = "to", conflicts_with_all = ["write", "output"])]
+    #[arg(long, requires = "to", conflicts_with_all = ["write", "output", "mnemonics"])]
     json: bool,
     /// Replace the files instead of printing
     #[arg(short, long, conflicts_with = "output")]
@@ -130,8 +130,8 @@ fn networks(arguments: &Arguments, rewriting: &Rewriting, to: NetworkTarget) -> 
         return Ok(Exit::DoesNotCompile);
     }
     let form = match arguments.form {
-        FormArgument::A => Form::A,
-        FormArgument::B => Form::B,
+        None | Some(FormArgument::A) => Form::A,
+        Some(FormArgument::B) => Form::B,
     };
     let redrawing = Redrawing {
         target: match to {
@@ -182,7 +182,7 @@ fn told(network: &RedrawnNetwork, rewriting: bool) -> Diagnostic {
     let (block, number) = (network.block, network.number);
     let codes: Vec<&str> = network.codes.iter().map(|code| code.code()).collect();
     let rewrite = (!codes.is_empty() && !rewriting).then(|| format!("`--rewrite` draws it ({})", codes.join(", ")));
-    let diagnostic = match &network.refusal {
+    match &network.refusal {
         Some(refusal) => {
             let message = format!("{block}, network {number} stays STL, {}: {}", refusal.reason, refusal.message());
             let diagnostic = Diagnostic::new(problem(refusal.reason.problem()), network.span, message);
@@ -197,8 +197,7 @@ fn told(network: &RedrawnNetwork, rewriting: bool) -> Diagnostic {
             let message = format!("{block}, network {number} stays as written: drawn it would mean the same, but give other statements");
             Diagnostic::new(problem(DIFFERENT_STATEMENTS), network.span, message).help(rewrite.unwrap_or_default())
         }
-    };
-    diagnostic
+    }
 }
 
 fn to_json(file: &str, network: &RedrawnNetwork) -> Value {

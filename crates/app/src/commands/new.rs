@@ -28,6 +28,10 @@ enum ProgramLanguage {
     St,
     /// SCL of the S7-300/400.
     Scl,
+    /// Ladder diagram.
+    Lad,
+    /// Function block diagram.
+    Fbd,
 }
 
 impl ProgramLanguage {
@@ -37,6 +41,8 @@ impl ProgramLanguage {
             Self::Stl => ("awl", include_str!("../../templates/basic/src/main.awl")),
             Self::St => ("st", include_str!("../../templates/st/src/main.st")),
             Self::Scl => ("scl", include_str!("../../templates/scl/src/main.scl")),
+            Self::Lad => ("lad", include_str!("../../templates/lad/src/main.lad")),
+            Self::Fbd => ("fbd", include_str!("../../templates/fbd/src/main.fbd")),
         }
     }
 }
@@ -48,7 +54,7 @@ const NAME_LENGTH_MAX: usize = 64;
 #[derive(Args)]
 #[command(after_help = "Examples:\n  \
   sieben new pump && cd pump && sieben check && sieben run --for 5s\n  \
-  sieben new pump --language st   the program in structured text\n  \
+  sieben new pump --language st   the program in structured text; also stl, scl, lad, fbd\n  \
   sieben new lift --example elevator   a copy of an example, with its plant and its tests\n\n\
 Nothing that exists is overwritten.")]
 pub(crate) struct Arguments {

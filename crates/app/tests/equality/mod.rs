@@ -5,7 +5,7 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::Arc;
 
 use sieben_cpu::{Cpu, Settings, Station};
-use sieben_engine::machine::Machine;
+use sieben_engine::machine::{Counter, Machine, Timer};
 use sieben_engine::{Layout, Program};
 use sieben_lang::stl::ast::{self, Block};
 use sieben_lang::stl::parser::parse;
@@ -22,6 +22,9 @@ const ALL_COMBINATIONS_BITS: usize = 16;
 
 /// Inputs up to so many bits are tried with every change from one combination to another.
 const ALL_CHANGES_BITS: usize = 6;
+
+/// Distances from one combination to the next.
+const STRIDES: [usize; 4] = [0x9E35, 0x5555, 0x6D3B, 0x7FFF];
 
 /// Rows of a program that reads words, or more bits than that.
 const EDGE_ROWS: usize = 2048;
@@ -54,8 +57,12 @@ pub(crate) fn fingerprint(machine: &Machine) -> Vec<(String, u64)> {
         .into_iter()
         .map(|(name, range)| (name, hash(&|hasher| machine.memory.arena[range.clone()].hash(hasher))))
         .collect();
-    all.push(("timers".to_owned(), hash(&|hasher| format!("{:?}", machine.timers).hash(hasher))));
-    all.push(("counters".to_owned(), hash(&|hasher| format!("{:?}", machine.counters).hash(hasher))));
+    // Those that were never touched are all alike, and there are hundreds of them.
+    let timers = machine.timers.iter().enumerate().filter(|(_, timer)| **timer != Timer::default());
+    let counters = machine.counters.iter().enumerate().filter(|(_, counter)| **counter != Counter::default());
+    let (timers, counters) = (format!("{:?}", timers.collect::<Vec<_>>()), format!("{:?}", counters.collect::<Vec<_>>()));
+    all.push(("timers".to_owned(), hash(&|hasher| timers.hash(hasher))));
+    all.push(("counters".to_owned(), hash(&|hasher| counters.hash(hasher))));
     all
 }
 
@@ -110,9 +117,14 @@ impl Inputs {
         if words == 0 && self.bits <= ALL_COMBINATIONS_BITS {
             let all = 1_usize << self.bits;
             let order: Vec<usize> = match self.bits <= ALL_CHANGES_BITS {
-                true => (0..all).flat_map(|from| (from + 1..all).flat_map(move |to| [from, to, from])).chain([0]).collect(),
-                // One bit at a time, then many at once.
-                false => (0..all).map(|row| row ^ row >> 1).chain((0..all).map(|row| row * 0x9E35 % all)).collect(),
+                true => (0..all).flat_map(|from| (from + 1..all).flat_map(move |to| [from, to])).chain([all - 1, 0]).collect(),
+                // One bit at a time, then many at once: an odd factor reaches every combination.
+                false => {
+                    let strides = (0..all)
+                        .map(|row| row ^ row >> 1)
+                        .chain(STRIDES.iter().flat_map(|stride| (0..all).map(move |row| row * stride % all)));
+                    strides.collect()
+                }
             };
             return order.into_iter().map(bits_of).collect();
         }

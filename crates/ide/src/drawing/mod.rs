@@ -14,6 +14,7 @@ mod layout;
 mod names;
 mod nesting;
 pub mod page;
+mod statements;
 pub mod style;
 pub mod svg;
 pub mod text;
@@ -24,6 +25,7 @@ pub use function_plan::function_plan;
 pub use ladder::ladder;
 pub use layout::{Label, Layout, Net, NetId, Outline, Rail, Role, Symbol, Wire};
 pub use nesting::{NESTING_MAX, Refusal};
+pub use statements::statements;
 
 use flow::Status;
 

@@ -24,8 +24,8 @@ impl Operand {
     }
 }
 
-/// The status bits that a contact may read.
-pub const STATUS_BITS: [&str; 10] = ["OV", "OS", "UO", "BR", "==0", "<>0", ">0", "<0", ">=0", "<=0"];
+/// The status bits that a contact may read; BIE is BR in German mnemonics.
+pub const STATUS_BITS: [&str; 11] = ["OV", "OS", "UO", "BR", "BIE", "==0", "<>0", ">0", "<0", ">=0", "<=0"];
 
 impl PartialEq for Operand {
     /// Where an operand stands makes no difference, nor a space in an address: `I0.0` is `I 0.0`.
@@ -139,7 +139,7 @@ fn compact(text: &str) -> String {
         if blank && !quoted && out.ends_with(|before: char| before.is_ascii_alphabetic()) {
             let mut next = rest.clone();
             while next.next_if(|sign| *sign == ' ' || *sign == '\t').is_some() {}
-            let letters = out.rfind(|before: char| !before.is_ascii_alphabetic()).map_or(0, |at| at + 1);
+            let letters = out.trim_end_matches(|before: char| before.is_ascii_alphabetic()).len();
             let is_address = ADDRESS_LETTERS.contains(&out[letters..].to_ascii_uppercase().as_str())
                 || ["SFC", "SFB", "DI", "OB"].contains(&out[letters..].to_ascii_uppercase().as_str());
             if is_address && next.peek().is_some_and(|sign| sign.is_ascii_digit()) {

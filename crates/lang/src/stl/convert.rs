@@ -43,6 +43,7 @@ pub fn convert_as(text: &str, from: Option<Mnemonics>, to: Mnemonics, drawing: O
 /// The addresses of a diagram in another language; its words are the same in both.
 fn diagram(text: &str, to: Mnemonics) -> Option<String> {
     let mut out = String::with_capacity(text.len());
+    let mut before = Before::default();
     let mut position = 0;
     loop {
         let (raw, end) = token(text, position);
@@ -57,6 +58,7 @@ fn diagram(text: &str, to: Mnemonics) -> Option<String> {
         let letters = word.trim_end_matches(|sign: char| sign.is_ascii_digit());
         let numbered = letters.len() < word.len() || matches!(token(text, next).0, Raw::Number);
         let right = match raw {
+            Raw::Word if before.makes_a_name(&text[..position], &text[next..]) => None,
             Raw::Word if numbered => translate_letters(letters, to.other()),
             Raw::Word => translate_status(word, to.other()),
             _ => None,
@@ -65,7 +67,40 @@ fn diagram(text: &str, to: Mnemonics) -> Option<String> {
             Some(right) => out.push_str(&(right.to_owned() + &word[letters.len()..])),
             None => out.push_str(word),
         }
+        before.pass(raw, word);
         position = end;
+    }
+}
+
+/// What stands before a word of a diagram on its line.
+#[derive(Default)]
+struct Before<'t> {
+    /// The last word.
+    word: &'t str,
+    /// The line calls a block, whose pins may have any names.
+    calls: bool,
+}
+
+impl<'t> Before<'t> {
+    /// A word there is no address: a label, a component, the type of a comparison, a pin of a block. The texts are those before and after it.
+    fn makes_a_name(&self, before: &str, after: &str) -> bool {
+        let operators = before.trim_end_matches(['=', '<', '>']);
+        let compares = before.len() > operators.len() && !before.ends_with("=>") && !matches!(&before[operators.len()..], "=");
+        let is_pin = after.starts_with(":=")
+            || after.starts_with(':') && self.word.is_empty()
+            || after.starts_with("=>") && (self.word.is_empty() || self.calls);
+        matches!(self.word, "LABEL" | "JMP" | "JMPN") || before.ends_with('.') || compares || is_pin
+    }
+
+    fn pass(&mut self, raw: Raw, word: &'t str) {
+        match raw {
+            Raw::Newline => *self = Self::default(),
+            Raw::Word => {
+                self.calls |= word == "CALL";
+                self.word = word;
+            }
+            _ => {}
+        }
     }
 }
 
@@ -106,4 +141,28 @@ fn translated_pointer(text: &str, to: Mnemonics) -> Option<String> {
 pub(super) fn in_case_of(written: &str, right: &str) -> String {
     let lower = written.bytes().any(|byte| byte.is_ascii_lowercase()) && !written.bytes().any(|byte| byte.is_ascii_uppercase());
     if lower { right.to_ascii_lowercase() } else { right.to_owned() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_diagram_keeps_what_is_a_name() {
+        for (english, german) in [
+            ("NO I 0.0\nCMP >I 5, MW 0\nCOIL Q 4.0\n", "NO E 0.0\nCMP >I 5, MW 0\nCOIL A 4.0\n"),
+            ("[IW 0 ==I 5] [MD 4 <>D 7] -> = Q 4.0\n", "[EW 0 ==I 5] [MD 4 <>D 7] -> = A 4.0\n"),
+            ("NO BR\nJMP C1\nNETWORK\nLABEL C1:\nNC I0.1\nR C 1\n", "NO BIE\nJMP C1\nNETWORK\nLABEL C1:\nNC E0.1\nR Z 1\n"),
+            ("MOVE IW0 => QW2\n", "MOVE EW0 => AW2\n"),
+            (
+                "CALL FB 1, DB 1\n    C1 := I 0.0\n    BR:\n        NO I 0.1\n    Q1 => Q 0.0\n",
+                "CALL FB 1, DB 1\n    C1 := E 0.0\n    BR:\n        NO E 0.1\n    Q1 => A 0.0\n",
+            ),
+            ("CALL FB 1, DB 1 (C1 := =I 0.0, Q1 => Q 0.0)\n", "CALL FB 1, DB 1 (C1 := =E 0.0, Q1 => A 0.0)\n"),
+            ("NO DB1.I1\nCOIL #a.C1\n", "NO DB1.I1\nCOIL #a.C1\n"),
+        ] {
+            assert_eq!(diagram(english, Mnemonics::German).as_deref(), Some(german));
+            assert_eq!(diagram(german, Mnemonics::English).as_deref(), Some(english));
+        }
+    }
 }

@@ -116,11 +116,27 @@ pub struct Source<'a> {
     pub blocks: Vec<&'a ResolvedBlock>,
 }
 
+/// A block of a source with its networks.
+#[derive(Clone, Debug)]
+pub struct SourceBlock {
+    /// Which one.
+    pub id: BlockId,
+    /// Its title, its comment and the rest of its header.
+    pub header: ast::Header,
+    /// Its networks.
+    pub networks: Vec<DrawnNetwork>,
+}
+
 impl Source<'_> {
-    /// The networks of its blocks, in the order of the text.
-    pub fn networks(&self, mode: Mode) -> Vec<(BlockId, Vec<DrawnNetwork>)> {
+    /// Its blocks with their networks, in the order of the text.
+    pub fn blocks(&self, mode: Mode) -> Vec<SourceBlock> {
         let parsed = self.parse();
-        self.blocks_of(&parsed).map(|(block, resolved)| (resolved.id, networks(self.text, block, resolved, self.mnemonics, mode))).collect()
+        let block = |(block, resolved): (&ast::Block, &ResolvedBlock)| SourceBlock {
+            id: resolved.id,
+            header: block.header.clone(),
+            networks: networks(self.text, block, resolved, self.mnemonics, mode),
+        };
+        self.blocks_of(&parsed).map(block).collect()
     }
 
     fn parse(&self) -> Parsed {
@@ -293,17 +309,30 @@ impl One<'_> {
     /// The comments of the network; those of a diagram belong to its lines.
     fn comments(&self) -> Vec<StatementComment> {
         let Some((from, to)) = self.diagram() else { return self.network.comments.clone() };
-        let spans = &self.network.spans;
+        let network = self.network;
         let mut out = Vec::new();
         for comment in form_a::comments(self.source.text, from, to) {
-            let first = spans.iter().enumerate().filter(|(_, span)| span.start as usize >= comment.line).min_by_key(|(_, span)| span.start);
-            let statement = first.map_or(spans.len().saturating_sub(1), |(index, _)| index);
+            let statement = self.statement_at(comment.line).unwrap_or(network.statements.len());
             out.push(match comment.own_line {
                 true => StatementComment { statement, before: vec![comment.text], after: None },
                 false => StatementComment { statement, before: Vec::new(), after: Some(comment.text) },
             });
         }
         out
+    }
+
+    /// A statement of the element that stands at a byte or after it. Brackets around an element belong to what is around it.
+    fn statement_at(&self, byte: usize) -> Option<usize> {
+        let spans = self.network.spans.iter().map(|span| span.start as usize);
+        let start = spans.clone().filter(|start| *start >= byte).min()?;
+        let of_element = || spans.clone().enumerate().filter(move |(_, one)| *one == start).map(|(index, _)| index);
+        let is_bracket = |index: &usize| {
+            let mnemonic = self.network.statements.get(*index).map_or("", |statement| statement.mnemonic);
+            mnemonic == ")" || (mnemonic.ends_with('(') && mnemonic != "MCR(")
+        };
+        // One in the middle: what stands around it belongs to EN and ENO.
+        let own: Vec<usize> = of_element().filter(|index| !is_bracket(index)).collect();
+        own.get(own.len() / 2).copied().or_else(|| of_element().next())
     }
 
     /// Where the diagram of the network stands, from the beginning of its first line.
@@ -331,6 +360,12 @@ impl One<'_> {
             }
             out.push_str(&line);
             out.push('\n');
+        }
+        let count = self.network.statements.len();
+        for comment in comments.iter().filter(|comment| comment.statement >= count) {
+            for line in comment.before.iter().chain(&comment.after) {
+                out.push_str(&format!("      {line}\n"));
+            }
         }
         out
     }

@@ -91,7 +91,14 @@ pub fn comments(text: &str, from: usize, to: usize) -> Vec<Comment> {
 
 /// The first word of a line's content, and what follows it with its place in the content.
 pub(super) fn first_word(content: &str) -> (&str, usize) {
-    let signs = content.find(|sign: char| !(sign.is_alphanumeric() || matches!(sign, '_' | '<' | '>' | '/'))).unwrap_or(content.len());
+    let is_sign = |sign: char| sign.is_alphanumeric() || matches!(sign, '_' | '<' | '>' | '/');
+    let mut signs = content.find(|sign: char| !is_sign(sign)).unwrap_or(content.len());
+    // A dot goes on in a name: `motor.Start`.
+    while let Some(rest) =
+        content[signs..].strip_prefix('.').filter(|rest| rest.starts_with(|sign: char| sign.is_alphabetic() || sign == '_'))
+    {
+        signs = content.len() - rest.len() + rest.find(|sign: char| !is_sign(sign)).unwrap_or(rest.len());
+    }
     let rest = &content[signs..];
     (&content[..signs], content.len() - rest.trim_start().len())
 }

@@ -339,9 +339,18 @@ impl<'t> Parser<'_, 't> {
     /// AND, OR, XOR and NOT of IEC 61131-3 with pins are boxes over values of any type; alone on their lines they are logic.
     fn is_operator(&self, line: TextLine<'_>, word: &str, rest: usize) -> bool {
         let more = line.content[rest..].trim();
-        let has_pins = !more.is_empty() && more != "( )"
-            || self.peek().is_some_and(|next| next.indent > line.indent && pin_of(next.content).is_some());
-        self.flavour == Flavour::Iec && matches!(word, "AND" | "OR" | "XOR" | "NOT") && has_pins
+        if self.flavour != Flavour::Iec || !matches!(word, "AND" | "OR" | "XOR" | "NOT") {
+            return false;
+        }
+        let pin_below = || self.peek().is_some_and(|next| next.indent > line.indent && pin_of(next.content).is_some());
+        !more.is_empty() && more != "( )" || pin_below() && !self.is_closed(line.indent, word)
+    }
+
+    /// END closes what a word at this indentation has begun: `ADD => x` in a branch looks like a pin.
+    fn is_closed(&self, indent: usize, word: &str) -> bool {
+        let beside = self.lines.iter().skip(self.at).skip_while(|next| next.indent > indent);
+        let mut beside = beside.filter(|next| next.indent <= indent).map(|next| (next.indent, first_word(next.content).0));
+        beside.find(|&(at, other)| (at, other.trim_start_matches('/')) != (indent, word)) == Some((indent, "END"))
     }
 
     /// An & box. Without a circle its inputs are a series like any other, unless one of them acts on what stands before it.

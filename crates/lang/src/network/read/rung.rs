@@ -217,9 +217,8 @@ impl<'s> Reader<'s> {
         let at = self.at;
         let one = self.peek() == "SET";
         self.at += 1;
-        let Some(bit) = self.current().filter(|one| matches!(one.mnemonic, "=" | "S" | "R")).map(|one| one.operand.clone()) else {
-            return self.before(Reason::Opcode);
-        };
+        let stored = self.current().filter(|one| matches!(one.mnemonic, "=" | "S" | "R"));
+        let Some(bit) = stored.map(|one| one.operand.clone()) else { return self.before(Reason::Opcode) };
         let place = self.place(at, at);
         let contact = |negated| Kind::contact(bit.clone(), negated).at(place);
         let line = match one {

@@ -17,6 +17,7 @@ use crate::network::words;
 use crate::st::ast::{
     self, Argument, Call, DiagramBox, Direction, Expression, ExpressionKind, GoesOn, Literal, LiteralKind, Name, Quoting, Wire,
 };
+use crate::st::dialect::Construct;
 use crate::st::standard;
 use crate::st::tree::{Place, Scalar, Statement, StatementKind, Value, ValueKind};
 
@@ -126,6 +127,8 @@ impl Checker<'_> {
 
     /// A box.
     pub(super) fn diagram_box(&mut self, one: &DiagramBox, span: Span) -> Option<StatementKind> {
+        // EN and ENO belong to every diagram, also where calls in text seldom have them.
+        self.noted.insert(Construct::EnEno as u32);
         let wire = one.goes_on.wire();
         wire.into_iter().for_each(|wire| self.begin_wire(wire));
         let done = match self.is_block_box(one) {
@@ -356,7 +359,7 @@ impl Checker<'_> {
         let plain = Call { callee: one.of.clone(), arguments };
         let has_result = match &interface {
             Some(interface) => interface.variables.iter().any(|variable| variable.section == Section::Return),
-            None => true,
+            None => !matches!(called, Called::Action(_)),
         };
         let is_own = matches!(called, Called::Function(_) | Called::Method(..));
         let value = |arguments: Vec<Argument>| {

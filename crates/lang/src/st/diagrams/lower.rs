@@ -13,6 +13,7 @@ use super::read::Written;
 use super::{Bodies, EdgeMemory, Language, Lowered, Memory};
 use crate::network::model::{Alone, Branch as Parallel, Content, Element, End, Kind, Line, Network, Output, OutputKind, Place, Rung};
 use crate::network::operand::Operand;
+use crate::network::write::reads_tap;
 use crate::st::ast::{
     AssignOperator, BinaryOperator, Branch, Expression, ExpressionKind, Literal, LiteralKind, Name, Quoting, Statement, StatementKind,
     UnaryOperator, Wire,
@@ -566,17 +567,6 @@ impl<'t, 'n> Lowering<'t, 'n> {
 /// A constant of BOOL.
 pub(super) fn truth(value: bool, span: Span) -> Expression {
     Expression { kind: ExpressionKind::Literal(Literal { kind: LiteralKind::Bool(value), prefix: None }), span }
-}
-
-/// The tapped line is read by an element of its own instead of coming from the left.
-fn reads_tap(line: &[Element]) -> bool {
-    line.iter().any(|element| match &element.kind {
-        Kind::Tap { .. } => true,
-        Kind::Parallel { branches, .. } => branches.iter().any(|branch| reads_tap(&branch.line)),
-        Kind::Xor { inputs, .. } => inputs.iter().any(|input| reads_tap(&input.line)),
-        Kind::Group { line, .. } => reads_tap(line),
-        _ => false,
-    })
 }
 
 /// An operand that calls something, which may write.

@@ -1,6 +1,7 @@
 //! Bodies that are diagrams: where one stands in a source, and what its networks are as statements of ST.
 
 mod boxes;
+pub mod drawn;
 pub(in crate::st) mod layout;
 pub(in crate::st) mod lower;
 pub(in crate::st) mod read;

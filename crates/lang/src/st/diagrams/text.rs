@@ -15,6 +15,8 @@ pub(in crate::st) enum BodyBegins {
     No,
     /// In the head of a block, a method or an action, where its name or a type comes next.
     InHead,
+    /// In the head of an action: its name, and a colon that no type follows.
+    InAction,
     /// Inside of a section of declarations.
     InSection,
     /// After the head, or after declarations.
@@ -30,11 +32,15 @@ impl BodyBegins {
         *self = match token.keyword {
             Some(keyword) if keyword.begins_section() => Self::InSection,
             Some(Keyword::EndVar | Keyword::EndConst | Keyword::EndLabel | Keyword::Begin) => Self::Here,
-            Some(keyword) if keyword.begins_block() || matches!(keyword, Keyword::Method | Keyword::Action) => Self::InHead,
+            // The body of a block may stand after its members.
+            Some(Keyword::EndMethod | Keyword::EndAction | Keyword::EndProperty) => Self::Here,
+            Some(Keyword::Action) => Self::InAction,
+            Some(keyword) if keyword.begins_block() || keyword == Keyword::Method => Self::InHead,
             Some(keyword) if *self != Self::InSection && (keyword.begins_statement() || keyword.is_end()) => Self::No,
             _ => match (*self, token.raw) {
                 (Self::InSection | Self::No, _) => *self,
                 (_, Raw::Becomes | Raw::ParenOpen) => Self::No,
+                (Self::InAction, _) => Self::InAction,
                 (_, Raw::Colon | Raw::Comma | Raw::Equal | Raw::Point) => Self::InHead,
                 _ => Self::Here,
             },
@@ -43,7 +49,7 @@ impl BodyBegins {
 
     /// The bytes of the networks of a diagram whose first word is at these bytes.
     pub(in crate::st) fn diagram(self, text: &str, word: Range<usize>, dialect: Dialect) -> Option<Range<usize>> {
-        if self != Self::Here || Language::of(text.get(word.clone())?).is_none() {
+        if !matches!(self, Self::Here | Self::InAction) || Language::of(text.get(word.clone())?).is_none() {
             return None;
         }
         let line = text[..word.start].rfind(['\n', '\r']).map_or(0, |end| end + 1);

@@ -41,19 +41,24 @@ pub(in crate::st) fn fragment(
 impl Parser<'_> {
     /// The body of a block that is a diagram, from its first word.
     pub(super) fn diagram_of(&mut self, block: &mut Block) {
-        let mut statements = self.diagram(&mut block.labels);
-        if !block.body.is_empty()
-            && let Some(first) = statements.first()
-        {
-            let message = "a body is either a diagram or statements";
-            let span = first.span;
-            self.push(Diagnostic::new(Problem::P2442, span, message).help("Write the diagram in a block or an action of its own."));
+        let mut body = std::mem::take(&mut block.body);
+        self.diagram_into(&mut body, &mut block.labels);
+        block.body = body;
+    }
+
+    /// A body that is a diagram, from its first word; statements before it are reported.
+    pub(super) fn diagram_into(&mut self, body: &mut Vec<Statement>, labels: &mut Vec<Name>) {
+        if !body.is_empty() {
+            let token = self.token();
+            let message = "a body is either a diagram or statements, and statements stand before this one";
+            self.error(Problem::P2442, token.start, token.end, message);
         }
-        block.body.append(&mut statements);
+        let mut statements = self.diagram(labels);
+        body.append(&mut statements);
     }
 
     /// A diagram from its first word, as statements.
-    pub(super) fn diagram(&mut self, labels: &mut Vec<Name>) -> Vec<Statement> {
+    fn diagram(&mut self, labels: &mut Vec<Name>) -> Vec<Statement> {
         let language = Language::of(self.current()).unwrap_or(Language::Ladder);
         self.bump(SyntaxKind::Keyword);
         if self.raw() != Raw::Diagram {

@@ -181,10 +181,7 @@ impl Parser<'_> {
                     sections.push(section);
                 }
                 _ if self.at_body_end() => return (sections, body),
-                _ if self.raw() == Raw::DiagramWord => {
-                    let mut statements = self.diagram(&mut Vec::new());
-                    body.append(&mut statements);
-                }
+                _ if self.raw() == Raw::DiagramWord => self.diagram_into(&mut body, &mut Vec::new()),
                 _ if self.begins_lost_declarations(&body) => {
                     let section = self.lost_section();
                     sections.push(section);

@@ -143,7 +143,16 @@ impl Parser<'_> {
     }
 
     fn statement_of(&mut self, statement: &Statement, read: &mut Read) -> ast::Statement {
-        let span = self.span(statement.place.first as usize, statement.place.last as usize);
+        // Of a network that has only a label its statement stands where the label does.
+        let labelled = statement
+            .label
+            .as_ref()
+            .filter(|_| statement.place.last == 0)
+            .and_then(|label| Some((label.start? as usize, label.text.len())));
+        let span = match labelled {
+            Some((start, length)) => self.span(start, start + length),
+            None => self.span(statement.place.first as usize, statement.place.last as usize),
+        };
         let label = statement.label.as_ref().map(|label| self.label_word(label, span));
         let word = match self.mnemonics {
             Mnemonics::English => statement.mnemonic,
@@ -273,10 +282,15 @@ fn end_of(text: &str, operand: &str) -> usize {
 
 /// Whether a diagram has one element on each line.
 fn is_form_a(text: &str) -> bool {
-    let Some(line) = text.lines().map(str::trim).find(|line| !line.is_empty() && !line.starts_with("//")) else { return true };
+    let mut code = text.lines().map(|line| line.split("//").next().unwrap_or_default().trim()).filter(|line| !line.is_empty());
+    let Some(line) = code.next() else { return true };
+    // An arrow to outputs, or a box straight on the rail, is in no line of the other form.
+    if code.any(|line| line.starts_with("|-") || line.contains("->")) {
+        return false;
+    }
     let signs = line.find(|sign: char| !(sign.is_alphanumeric() || matches!(sign, '_' | '<' | '>' | '/'))).unwrap_or(line.len());
     let (word, rest) = line.split_at(signs);
-    if line.starts_with("|-") || line.contains("->") || rest.starts_with('(') && !word.is_empty() {
+    if line.starts_with("|-") || line.contains("->") || rest.starts_with(['(', '[']) && !word.is_empty() {
         return false;
     }
     if word == "LABEL" {
@@ -285,7 +299,7 @@ fn is_form_a(text: &str) -> bool {
     words::begins_line(word)
         || !word.is_empty() && rest.is_empty()
         || text.lines().any(|line| {
-            let word = line.trim_start().split_whitespace().next().unwrap_or_default();
+            let word = line.split_whitespace().next().unwrap_or_default();
             words::begins_line(word) && !matches!(word, "S" | "R" | "P" | "N")
         })
 }
