@@ -32,7 +32,8 @@ pub fn parse(text: &str, offset: usize, flavour: Flavour) -> Result<Network, Mis
         Mistake::new(MistakeKind::Line, wrong.at, wrong.at + sign.map_or(0, char::len_utf8), wrong.message)
     })?;
     match rules::mistakes(&network, flavour, None).into_iter().next() {
-        Some(mistake) => Err(mistake),
+        // What no element names lies at the beginning of the line.
+        Some(mistake) => Err(Mistake { start: mistake.start.max(offset), end: mistake.end.max(offset), ..mistake }),
         None => Ok(network),
     }
 }
@@ -197,7 +198,7 @@ impl Parser<'_> {
         let s7 = self.scan.flavour == Flavour::S7;
         if !s7 && self.scan.see("/") {
             // A circle at an element goes on, `/ x` is a negated coil.
-            let circled = self.scan.rest()[1..].trim_start();
+            let circled = self.scan.rest().get(1..).unwrap_or_default().trim_start();
             return !["#(", "and(", "or(", "xor(", "("].iter().any(|element| circled.starts_with(element));
         }
         let word = self.scan.word();
