@@ -350,9 +350,30 @@ fn run_drawn(folder: &str) -> drawn::Count {
 fn programs_of_the_pages_do_the_same_when_they_are_drawn() {
     for folder in ["course", "stl", "diagrams"] {
         let count = run_drawn(folder);
-        println!("{folder}: {count:?}");
         assert!(count.exact > 0 && count.equivalent + count.exact > count.no / 4, "{folder}: {count:?}");
     }
+}
+
+/// Random programs in each run of the test.
+const RANDOM_PROGRAMS: u64 = 25;
+
+#[test]
+fn random_networks_do_the_same_when_they_are_drawn() {
+    let cpu_type = &CpuType::ALL[0];
+    let mut count = drawn::Count::default();
+    for seed in 1..=RANDOM_PROGRAMS {
+        let stl = drawn::RandomNetworks::new(seed).program();
+        let compiled = program::compile(&stl, Mnemonics::English, cpu_type).unwrap_or_else(|message| panic!("{seed}: {message}\n{stl}"));
+        let forms = drawn::forms(&stl, cpu_type, &mut count).unwrap_or_else(|message| panic!("{seed}: {message}\n{stl}"));
+        let settings = program::settings(&compiled);
+        let mut programs = vec![("STL".to_owned(), Arc::new(compiled.program), settings)];
+        let text: String = forms.iter().map(|form| format!("\n{}:\n{}", form.name, form.text)).collect();
+        programs.extend(forms.into_iter().map(|form| (form.name.to_owned(), form.compiled, form.settings)));
+        if let Some(difference) = equality::first_difference(&programs, &equality::Inputs::of(&stl), cpu_type) {
+            panic!("{seed}: {difference}\n{stl}{text}");
+        }
+    }
+    assert!(count.exact + count.equivalent > count.no, "{count:?}");
 }
 
 #[test]

@@ -73,3 +73,111 @@ fn redraw(text: &str, compiled: &Compiled, target: Target) -> Redrawn {
     let source = Source { file: FileId(0), text, mnemonics: Mnemonics::English, drawing: None, blocks: blocks.collect() };
     source.redraw(&Redrawing { target, block: None, mode: Mode::RewritingConstants })
 }
+
+/// Random networks of statements, some of which no diagram can show.
+pub(crate) struct RandomNetworks {
+    state: u64,
+    labels: u64,
+}
+
+impl RandomNetworks {
+    pub(crate) fn new(seed: u64) -> Self {
+        Self { state: seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1, labels: 0 }
+    }
+
+    fn below(&mut self, end: u64) -> u64 {
+        self.state ^= self.state << 13;
+        self.state ^= self.state >> 7;
+        self.state ^= self.state << 17;
+        (self.state >> 11) % end
+    }
+
+    fn one_of<'t>(&mut self, all: &[&'t str]) -> &'t str {
+        all[self.below(all.len() as u64) as usize]
+    }
+
+    /// A program with a few networks.
+    pub(crate) fn program(&mut self) -> String {
+        let count = 1 + self.below(3);
+        (0..count).map(|_| format!("NETWORK\n{}", self.network())).collect()
+    }
+
+    fn network(&mut self) -> String {
+        let mut out = String::new();
+        for _ in 0..=self.below(2) {
+            if self.below(5) == 0 {
+                out.push_str(&self.value());
+                continue;
+            }
+            self.logic(&mut out, 0);
+            self.end(&mut out);
+        }
+        out
+    }
+
+    /// A string of logic.
+    fn logic(&mut self, out: &mut String, depth: u64) {
+        let steps = 1 + self.below(4);
+        for step in 0..steps {
+            let check = self.one_of(&["A", "A", "AN", "O", "ON", "X"]);
+            match self.below(12) {
+                0 if depth < 3 => {
+                    out.push_str(&format!("{}(;\n", self.one_of(&["A", "O", "AN", "X"])));
+                    self.logic(out, depth + 1);
+                    out.push_str(");\n");
+                }
+                1 if depth < 3 => {
+                    let (left, right) = (self.below(4) * 2, self.below(4) * 2);
+                    let compare = self.one_of(&["==I", ">I", "<=I"]);
+                    out.push_str(&format!("{}(;\nL MW {};\nL MW {};\n{compare};\n);\n", self.one_of(&["A", "O"]), 10 + left, 10 + right));
+                }
+                2 if step > 0 => out.push_str("NOT;\n"),
+                3 if step > 0 => {
+                    let bit = self.below(8);
+                    out.push_str(&format!("{} M 30.{bit};\n", self.one_of(&["FP", "FN"])));
+                }
+                4 if step > 0 && step + 1 < steps => out.push_str("O;\n"),
+                5 if step > 0 => {
+                    let bit = self.below(4);
+                    out.push_str(&format!("= M 40.{bit};\nA M 40.{bit};\n"));
+                }
+                6 => out.push_str(&format!("{check} T {};\n", 1 + self.below(2))),
+                _ => {
+                    let bit = self.below(6);
+                    out.push_str(&format!("{check} I 0.{bit};\n"));
+                }
+            }
+        }
+    }
+
+    fn end(&mut self, out: &mut String) {
+        let (bit, timer) = (self.below(4), 1 + self.below(2));
+        match self.below(10) {
+            0 => out.push_str(&format!("S M 41.{bit};\n")),
+            1 => out.push_str(&format!("S M 41.{bit};\nA I 0.{bit};\nR M 41.{bit};\nNOP 0;\n")),
+            2 => out.push_str(&format!("L S5T#200MS;\n{} T {timer};\n", self.one_of(&["SD", "SE", "SP", "SS", "SF"]))),
+            3 => {
+                out.push_str(&format!("L S5T#200MS;\nSD T {timer};\nA I 0.5;\nR T {timer};\nNOP 0;\nNOP 0;\nA T {timer};\n= Q 4.{bit};\n"))
+            }
+            4 => {
+                self.labels += 1;
+                let label = self.labels;
+                out.push_str(&format!("JNB _{label:03};\nL MW 10;\nT MW 50;\n_{label:03}: NOP 0;\n"));
+            }
+            5 => out.push_str(&format!("= L 20.0;\nA L 20.0;\nBLD 102;\n= Q 4.{bit};\nA L 20.0;\nA I 0.{bit};\nS M 42.{bit};\n")),
+            6 => out.push_str(&format!("= Q 4.{bit};\nR M 41.{bit};\n")),
+            7 => out.push_str(&format!("CU C {timer};\n")),
+            _ => out.push_str(&format!("= Q 4.{bit};\n")),
+        }
+    }
+
+    /// A box without condition.
+    fn value(&mut self) -> String {
+        let (from, to) = (10 + self.below(4) * 2, 50 + self.below(4) * 2);
+        match self.below(3) {
+            0 => format!("L MW {from};\nT MW {to};\n"),
+            1 => format!("L MW {from};\nL 5;\n{};\nT MW {to};\nNOP 0;\n", self.one_of(&["+I", "-I", "*I", "/I"])),
+            _ => format!("L MW {from};\nITD;\nT MD {};\n", to + 10),
+        }
+    }
+}
