@@ -137,7 +137,7 @@ fn compact(text: &str) -> String {
         if blank && !quoted && out.ends_with(|before: char| before.is_ascii_alphabetic()) {
             let mut next = rest.clone();
             while next.next_if(|sign| *sign == ' ' || *sign == '\t').is_some() {}
-            let letters = out.rfind(|before: char| !before.is_ascii_alphabetic()).map_or(0, |at| at + 1);
+            let letters = out.trim_end_matches(|before: char| before.is_ascii_alphabetic()).len();
             let is_address = ADDRESS_LETTERS.contains(&out[letters..].to_ascii_uppercase().as_str())
                 || ["SFC", "SFB", "DI", "OB"].contains(&out[letters..].to_ascii_uppercase().as_str());
             if is_address && next.peek().is_some_and(|sign| sign.is_ascii_digit()) {

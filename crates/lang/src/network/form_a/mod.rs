@@ -7,6 +7,7 @@ mod parse;
 mod print;
 
 pub use layout::format;
+pub use line::written_lines;
 pub use parse::{ELEMENTS_MAX, NESTING_MAX, Parsed, parse};
 pub use print::print;
 

@@ -68,10 +68,8 @@ impl Parser<'_> {
     pub(super) fn diagram(&mut self, block: &mut Block, drawing: Drawing) {
         let from = self.text[..self.position].rfind(['\n', '\r']).map_or(0, |at| at + 1);
         let from = if self.text[from..self.position].trim().is_empty() { from } else { self.position };
-        let to = self.diagram_end();
-        if to <= self.position {
-            return;
-        }
+        // What begins a diagram belongs to it, whatever it is.
+        let to = self.diagram_end().max(self.end);
         let start = self.position;
         self.bump_to(SyntaxKind::Diagram, to);
         let under_network = !block.networks.is_empty();
@@ -106,7 +104,7 @@ impl Parser<'_> {
     fn diagram_end(&self) -> usize {
         let mut at = self.position;
         let mut end = at;
-        for line in self.text[self.position..].split_inclusive('\n') {
+        for line in form_a::written_lines(&self.text[self.position..]) {
             let content = line.trim();
             let word = content.split(|sign: char| !(sign.is_alphanumeric() || sign == '_')).next().unwrap_or_default();
             let is_pin = [":=", "=>"].iter().any(|sign| content[word.len()..].trim_start().starts_with(sign));
@@ -256,7 +254,7 @@ pub(in crate::stl) fn layout(text: &str) -> String {
     if is_form_a(text) {
         return form_a::format(text, 0, text.len(), &form_a::parse(text, 0, text.len(), Flavour::S7));
     }
-    text.lines().map(|line| format!("{}\n", line.trim())).collect()
+    form_a::written_lines(text).map(|line| format!("{}\n", line.trim())).collect()
 }
 
 /// The number of a scratch bit in its network.
@@ -283,7 +281,8 @@ fn end_of(text: &str, operand: &str) -> usize {
 
 /// Whether a diagram has one element on each line.
 fn is_form_a(text: &str) -> bool {
-    let mut code = text.lines().map(|line| line.split("//").next().unwrap_or_default().trim()).filter(|line| !line.is_empty());
+    let mut code =
+        form_a::written_lines(text).map(|line| line.split("//").next().unwrap_or_default().trim()).filter(|line| !line.is_empty());
     let Some(line) = code.next() else { return true };
     // An arrow to outputs, or a box straight on the rail, is in no line of the other form.
     if code.any(|line| line.starts_with("|-") || line.contains("->")) {
@@ -299,7 +298,7 @@ fn is_form_a(text: &str) -> bool {
     }
     words::begins_line(word)
         || !word.is_empty() && rest.is_empty()
-        || text.lines().any(|line| {
+        || form_a::written_lines(text).any(|line| {
             let word = line.split_whitespace().next().unwrap_or_default();
             words::begins_line(word) && !matches!(word, "S" | "R" | "P" | "N")
         })
@@ -309,7 +308,7 @@ fn is_form_a(text: &str) -> bool {
 fn one_line_networks(text: &str, from: usize, to: usize, together: bool) -> Vec<(usize, String)> {
     let mut networks: Vec<(usize, String)> = Vec::new();
     let mut at = from;
-    for line in text[from..to].split_inclusive('\n') {
+    for line in form_a::written_lines(&text[from..to]) {
         let content = line.trim_end();
         let blank = content.len() - content.trim_start().len();
         let is_comment = content.trim_start().starts_with("//");
