@@ -251,7 +251,8 @@ fn chapter_title(digit: Option<u8>) -> &'static str {
         Some(b'5') => "5xxx: limits of the CPU type",
         Some(b'6') => "6xxx: files and projects",
         Some(b'7') => "7xxx: command line",
-        _ => "8xxx: run time",
+        Some(b'8') => "8xxx: run time",
+        _ => "9xxx: diagrams",
     }
 }
 

@@ -4,6 +4,7 @@
 mod arguments;
 mod commands;
 mod controller;
+mod diagrams;
 mod document;
 mod duration;
 mod engines;
@@ -108,6 +109,8 @@ enum Verb {
     Symbols(commands::symbols::Arguments),
     /// Print where every address, timer, counter and block is used
     Refs(commands::refs::Arguments),
+    /// Draw networks as ladder or function block diagrams
+    Render(commands::render::Arguments),
     /// Print which block calls which, and the local data of every path
     Structure(commands::structure::Arguments),
     /// Print which inputs, outputs, bit memory, timers and counters are used
@@ -147,6 +150,7 @@ fn run(line: CommandLine) -> Exit {
         Some(Verb::Convert(arguments)) => commands::convert::run(&arguments),
         Some(Verb::Symbols(arguments)) => commands::symbols::run(&arguments),
         Some(Verb::Refs(arguments)) => commands::refs::run(&arguments),
+        Some(Verb::Render(arguments)) => commands::render::run(&arguments),
         Some(Verb::Structure(arguments)) => commands::structure::run(&arguments),
         Some(Verb::Assignments(arguments)) => commands::assignments::run(&arguments),
         Some(Verb::New(arguments)) => commands::new::run(&arguments),

@@ -78,7 +78,7 @@ impl Rewriting {
     }
 
     /// Puts the new text of one source where it belongs; whether it differs from the old one.
-    fn finish(&self, source: &SourceFile, text: &str) -> Result<bool, Failure> {
+    pub(crate) fn finish(&self, source: &SourceFile, text: &str) -> Result<bool, Failure> {
         let path = &source.path;
         let old = &source.decoded;
         let encoding = if self.utf8 { Encoding::Utf8 } else { old.encoding };

@@ -1,5 +1,6 @@
 //! Runs the executable manual: every section of every page under spec/, in both mnemonic languages, on every engine.
 
+mod drawn;
 mod equality;
 mod program;
 
@@ -306,6 +307,52 @@ fn the_function_pages_come_true() {
 #[test]
 fn the_awlsim_pages_come_true() {
     run_folder("awlsim");
+}
+
+/// Runs the checks of all pages of a folder on their programs of STL as LAD, as FBD and as STL again.
+fn run_drawn(folder: &str) -> drawn::Count {
+    let mut report = String::new();
+    let mut count = drawn::Count::default();
+    for (name, page) in pages(folder) {
+        for section in sections(&page).iter().filter(|section| !section.stl.is_empty() && section.st.is_empty()) {
+            for (line, text) in &section.checks {
+                let Ok(scenario) = Scenario::parse(text) else { continue };
+                if scenario.known_gap.is_some() {
+                    continue;
+                }
+                let cpu_type = scenario.cpu.unwrap_or(&CpuType::ALL[0]);
+                let forms = match drawn::forms(&section.stl, cpu_type, &mut count) {
+                    Ok(forms) => forms,
+                    Err(message) => {
+                        let _ = writeln!(report, "{name}:{line}: {message}");
+                        continue;
+                    }
+                };
+                for (index, form) in forms.iter().enumerate() {
+                    // The forms after the first one are made of it.
+                    for (engine, load) in program::ENGINES.iter().take(if index == 0 { program::ENGINES.len() } else { 1 }) {
+                        let mut cpu =
+                            || program::cpu_with(&form.compiled, cpu_type, *load, scenario.modules.clone(), form.settings.clone());
+                        let failed = scenario.run_watched(&SymbolTable::default(), &mut cpu, &mut |_| {});
+                        if let Some(failure) = failed.first() {
+                            let _ = writeln!(report, "{name}:{line} {}, {engine}: {}\n{}", form.name, failure.message, form.text);
+                        }
+                    }
+                }
+            }
+        }
+    }
+    assert!(report.is_empty(), "programs that do something else when they are drawn:\n\n{report}");
+    count
+}
+
+#[test]
+fn programs_of_the_pages_do_the_same_when_they_are_drawn() {
+    for folder in ["course", "stl", "diagrams"] {
+        let count = run_drawn(folder);
+        println!("{folder}: {count:?}");
+        assert!(count.exact > 0 && count.equivalent + count.exact > count.no / 4, "{folder}: {count:?}");
+    }
 }
 
 #[test]

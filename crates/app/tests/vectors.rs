@@ -1,4 +1,5 @@
 //! Runs spec/vectors/vectors.csv: a state, some STL, the state after it; in both mnemonic languages, on every engine.
+//! And the rows of the table of diagrams that say what a diagram does, drawn and as the statements beside it.
 
 mod program;
 
@@ -346,4 +347,100 @@ fn the_reasons_of_all_statements_of_the_vectors_are_true() {
     assert!(statements > 2_000, "{statements} statements");
     wrong.truncate(40);
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// Blocks of a row of diagrams: divided by `;` with a name after it, their networks by `//`.
+fn blocks_of(text: &str) -> Vec<(String, Vec<String>)> {
+    let mut blocks: Vec<(String, String)> = Vec::new();
+    for part in text.split(" ; ") {
+        let named = part.split_once(": ").filter(|(name, _)| matches!(*name, "OB1" | "FC1"));
+        match (named, blocks.last_mut()) {
+            (Some((name, networks)), _) => blocks.push((name.to_owned(), networks.to_owned())),
+            (None, Some((_, last))) => *last += &format!(" ; {part}"),
+            (None, None) => blocks.push(("OB1".to_owned(), part.to_owned())),
+        }
+    }
+    blocks.into_iter().map(|(name, text)| (name, text.split(" // ").map(str::to_owned).collect())).collect()
+}
+
+/// A source of blocks whose networks are lines of a diagram or rows of statements.
+fn source_of(blocks: &[(String, Vec<String>)], others: &[(String, Vec<String>)], language: &str) -> String {
+    let mut out = String::new();
+    let more = others.iter().filter(|(name, _)| !blocks.iter().any(|(own, _)| own == name)).map(|block| (block, ""));
+    for ((name, networks), language) in blocks.iter().map(|block| (block, language)).chain(more) {
+        let (kind, head) = match name.as_str() {
+            "OB1" => ("ORGANIZATION_BLOCK", "ORGANIZATION_BLOCK OB 1\n".to_owned()),
+            _ => {
+                let uses = networks.iter().any(|network| network.contains("#IN"));
+                let input = if uses { "VAR_INPUT\nIN : BOOL;\nEND_VAR\n" } else { "" };
+                ("FUNCTION", format!("FUNCTION FC 1 : VOID\n{input}"))
+            }
+        };
+        let body = networks.iter().map(|network| match language {
+            "" => format!("NETWORK\n{};\n", network.replace("(; ", "(;\n").replace("; ", ";\n")),
+            drawing => format!("NETWORK {drawing}\n{network}\n"),
+        });
+        out = format!("{head}BEGIN\n{}END_{kind}\n{out}", body.collect::<String>());
+    }
+    out
+}
+
+/// Scans at the times of a row, and its values after each of them.
+fn run_diagram(cpu: &mut Cpu, program: &Program, times: &str, values: &str) -> Vec<String> {
+    let mut out = Vec::new();
+    let steps: Vec<(u64, &str)> = times
+        .split(';')
+        .filter_map(|step| step.trim().split_once("ms:"))
+        .map(|(ms, inputs)| (ms.parse().expect("a time"), inputs))
+        .collect();
+    for (index, (ms, inputs)) in steps.iter().enumerate() {
+        for (name, value) in inputs.split_whitespace().filter_map(|pair| pair.split_once('=')) {
+            out.extend(name_of(name, program).write(cpu, value).err().map(|error| error.to_string()));
+        }
+        cpu.scan(ms * 1000);
+        for (name, expected) in values.split(", ").filter_map(|value| value.split_once(" = ")) {
+            let expected: Vec<&str> = expected.split_whitespace().collect();
+            // One value for all scans, one for each, or those of the last ones.
+            let skipped = if expected.len() == 1 { 0 } else { steps.len().saturating_sub(expected.len()) };
+            if let Some(value) = index.checked_sub(skipped).and_then(|at| expected.get(if expected.len() == 1 { 0 } else { at })) {
+                out.extend(differs(name, value, cpu, program).map(|message| format!("at {ms}ms: {message}")));
+            }
+        }
+    }
+    out
+}
+
+#[test]
+fn diagrams_do_what_their_table_says_as_the_statements_beside_them_do() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../lang/tests/diagrams/vectors.csv");
+    let text = fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    let rows: Vec<Row> = csv::Reader::from_reader(text.as_bytes()).deserialize().map(|row| Row(row.expect("a row"))).collect();
+    let cpu_type = &CpuType::ALL[0];
+    let (mut ran, mut wrong) = (0, Vec::new());
+    for row in rows.iter().filter(|row| row.get("kind").ends_with("-meaning")) {
+        let drawing = if row.get("kind").starts_with("lad") { "LAD" } else { "FBD" };
+        let (diagrams, times) = row.get("input").split_once(" || ").expect("a diagram and its times");
+        let expected = row.get("expected").strip_prefix("STL: ").expect("statements");
+        let (statements, values) = expected.split_once(" || ").expect("statements and values");
+        let (diagrams, statements) = (blocks_of(diagrams), blocks_of(statements));
+        let sources = [("drawn", source_of(&diagrams, &statements, drawing)), ("as STL", source_of(&statements, &[], ""))];
+        for (form, source) in &sources {
+            let program = match program::compile(source, Mnemonics::English, cpu_type) {
+                Ok(compiled) => Arc::new(compiled.program),
+                Err(message) => {
+                    wrong.push(format!("{} {form}: {message}\n{source}", row.get("id")));
+                    continue;
+                }
+            };
+            for (engine, load) in program::ENGINES {
+                let mut cpu = program::cpu(&program, cpu_type, *load, None);
+                cpu.restart(Restart::Warm);
+                let found = run_diagram(&mut cpu, &program, times, values);
+                ran += 1;
+                wrong.extend(found.into_iter().map(|message| format!("{} {form} [{engine}] {message}\n{source}", row.get("id"))));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    assert!(ran > 200, "{ran} runs");
 }

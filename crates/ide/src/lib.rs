@@ -1,9 +1,10 @@
-//! Editor services as plain data: reference data of a compiled program.
+//! Editor services as plain data: reference data of a compiled program, and pictures of its networks.
 #![forbid(unsafe_code)]
 
 pub mod assignment_list;
 pub mod call_structure;
 pub mod cross_reference;
+pub mod drawing;
 pub mod unused;
 
 pub use sieben_lang::references::target;

@@ -60,6 +60,7 @@ fn operand(operand: &ast::Operand) -> String {
         }
         Name { word, path: steps } => format!("name <{}>{}", word.text, path(steps)),
         Register { name, number } => format!("register {} {number}", name.text),
+        Scratch { bit } => format!("scratch bit {bit}"),
         List(operands) => operands.iter().map(|(operand, _)| self::operand(operand)).collect::<Vec<_>>().join(" , "),
         Call(call) => {
             let mut text = self::operand(&call.callee);

@@ -1,7 +1,7 @@
 //! The table of problem codes: code, severity, what is wrong, what to do.
 //!
 //! 1xxx characters and words, 2xxx syntax, 3xxx names, 4xxx types and ranges, 5xxx limits of the
-//! CPU type, 6xxx files and projects, 7xxx command line, 8xxx run time. A code is never reused.
+//! CPU type, 6xxx files and projects, 7xxx command line, 8xxx run time, 9xxx diagrams. A code is never reused.
 
 use crate::diagnostic::Severity;
 
@@ -122,6 +122,11 @@ problems! {
     P2406 Error "an element of a diagram at a place where it cannot stand" "Coils stand at the right end of a rung; an edge, NOT and a midline output need logic before them.";
     P2407 Error "an element that only FBD has, in a network of LAD" "Begin the network with `NETWORK FBD`, or draw it with contacts and NOT.";
     P2408 Error "a diagram that is too large, or nested too deep" "Divide the network into several.";
+    P2409 Error "a diagram on one line that is not understood" "A space is AND, `|` in brackets OR, `/` a normally closed contact, and the coils stand after `->`: `(I 0.0 | Q 0.0) /I 0.1 -> = Q 0.0`.";
+    P2440 Error "an element of S7 blocks in a diagram of IEC 61131-3" "Draw what the message names instead.";
+    P2441 Error "a coil that nothing is wired to" "Draw what it is to be assigned before it; TRUE is written as a contact.";
+    P2442 Error "a body with statements and a diagram" "Write the diagram in a block or an action of its own.";
+    P2443 Warning "an instance that two boxes of a network call" "Declare an instance for each box, or draw one of them in a network of its own.";
     P3001 Error "a name that is not declared" "Declare it in the symbol table or in the VAR sections of the block.";
     P3002 Error "two blocks with one number" "Give one of them another number, or name only the files that belong together.";
     P3003 Error "a block named by a symbol that is not in the symbol table" "Add the symbol with the number of the block as its address, for example `FC 1`.";
@@ -171,6 +176,11 @@ problems! {
     P4203 Error "a date that the calendar does not have" "Check the month and the day; February has 29 days only in leap years.";
     P4204 Error "a character that does not fit into one byte" "Use characters of the code pages 1252, 1250 or 1251, or write the byte as `$` and two hex digits.";
     P4205 Error "a word that is no constant" "Use a constant such as 5, L#5, 1.5, W#16#00FF, 2#1010, C#20, S5T#2S, T#1H, D#2024-02-29, P#M 10.0, 'A' or TRUE.";
+    P4301 Error "an edge in a block that keeps nothing" "Draw it in a FUNCTION_BLOCK or PROGRAM, or hand the edge on as an input.";
+    P4302 Error "a value that no line of a diagram carries" "Assign it to a variable at the output, and wire the variable to the input.";
+    P4303 Error "a box of a function block without an instance" "Declare an instance in VAR and name it after the name of the function block.";
+    P4304 Error "a box whose instance is of another function block" "Name an instance of the function block, or the function block of the instance.";
+    P4305 Error "a box without a line to its first input" "Draw a line to the box, or write the input as a pin, such as `IN := x`.";
 
     // 5xxx limits of the CPU type
     P5001 Warning "an address beyond the areas of the CPU type" "Use an address that the CPU type has, or choose a larger CPU type.";
@@ -364,6 +374,10 @@ problems! {
     P7044 Error "a recording that cannot be used" "Record the run again with `sieben step --record`.";
     P7050 Error "a rule for a name that the recording does not have" "Write the name as the scenario does: `--map`, `--tolerance` and `--ignore` speak of what was recorded.";
     P7051 Error "a rule for a recording that is not understood" "Write `--map OLD=NEW`, `--within 2`, `--tolerance NAME=0.5` or `--tolerance 2%`.";
+    P7080 Error "a block without networks" "Name a block of STL, LAD or FBD; Structured Text has no networks to draw.";
+    P7081 Error "a file that no diagram is written to" "Name a file that ends in `.svg`, `.html` or `.txt`.";
+    P7082 Error "a network that a block does not have" "Name a network of the block by its number, from 1.";
+    P7083 Error "a network that is no diagram" "Choose a network that can be drawn, or try `--as fbd`; `sieben render` shows which can.";
 
     // 8xxx run time
     P8001 Error "the CPU went to STOP" "Read the diagnostic buffer: it names the block and the statement.";
@@ -374,4 +388,26 @@ problems! {
     P8032 Warning "retentive data of a program with other data blocks" "Run with --adopt and the file where it is now, to take over what still fits.";
     P8033 Error "a link or a device where retentive data is kept" "Remove it if you do not know it; to keep the data elsewhere, name the file with --retain.";
     P8034 Warning "retentive data that was removed during a run" "Nothing is lost; leave `.sieben` alone while the CPU runs (`git clean -e .sieben`).";
+
+    // 9xxx diagrams
+    P9001 Warning "a second string of logic in a network that is to be drawn (R-TWO)" "Begin a NETWORK with the second string; `convert --rewrite` does it.";
+    P9002 Warning "logic that leads to no output, in a network that is to be drawn (R-LOGIC)" "End the string with an output such as `=`, or remove it.";
+    P9003 Warning "a jump that has no coil (R-JUMP)" "Let a network end with JC, JCN or JU, and begin another one with the label.";
+    P9004 Warning "a label in the middle of a network that is to be drawn (R-LABEL)" "Begin a NETWORK with the labelled statement.";
+    P9005 Warning "an instruction that no element of a diagram stands for (R-OPCODE)" "Write the network with instructions that have an element, or leave it as STL: one block may hold both.";
+    P9006 Warning "an address that is computed at run time, in a network that is to be drawn (R-INDIRECT)" "Leave the network as STL, or use an operand with a fixed address.";
+    P9007 Warning "a load, a store or a call after logic, which does not depend on it (R-UNCOND)" "Jump over it with JNB, so that the logic becomes its EN, or put it into a network of its own.";
+    P9008 Warning "a result of a box that is not stored exactly once (R-STORE)" "Store the result with one T; `convert --rewrite` makes two MOVE boxes of two stores.";
+    P9009 Warning "two operations without a T between them, in a network that is to be drawn (R-CHAIN)" "Store the first result in a temporary variable, and load it for the second operation.";
+    P9010 Warning "a slot of a box without its NOP 0 (R-NOP)" "Add `NOP 0` for each open slot; where only one box fits, `convert --rewrite` does it.";
+    P9011 Warning "parts of a timer or counter in another order than its box has them (R-ORDER)" "Put them into the order of the box: start, reset, `L`, `LC`, and the check of its bit last.";
+    P9012 Warning "an end of a box that is neither ENO nor NOP 0 (R-ENO)" "End it as its box has it: `AN OV`, SAVE, CLR, `A BR` if it can overflow; `SET`, SAVE, CLR, `A BR` if it cannot; or `NOP 0`.";
+    P9013 Warning "brackets that do not match or hold nothing, in a network that is to be drawn (R-BRACKET)" "Close each bracket, and put logic into it.";
+    P9014 Warning "more than 7 brackets inside of one another (R-DEPTH)" "Store a part of the logic with a midline output or in a variable.";
+    P9015 Warning "a bit of local data that is stored like that of a T-branch and never read (R-BITLEFT)" "Declare a temporary variable, or use the bit in the same network.";
+    P9016 Warning "a tapped line that would run backwards in ladder (R-BACK)" "Draw the network as FBD: `convert --to fbd`.";
+    P9017 Warning "an edge, a NOT or a box for a part in the middle of a line of ladder (R-NEG)" "Draw the network as FBD: `convert --to fbd`.";
+    P9018 Warning "an operand of another width than the box takes (R-WIDTH)" "Move it to an operand of the right width first; MOVE takes any.";
+    P9019 Warning "a comparison that is jumped over like a box with EN (R-MIX)" "Compare without the jump: a comparison is a contact.";
+    P9020 Warning "a network whose diagram means the same but gives other statements" "Use `convert --rewrite` to draw it.";
 }

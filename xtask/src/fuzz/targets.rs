@@ -45,6 +45,8 @@ pub const TARGETS: &[Target] = &[
     Target { name: "cpu-system", fuzz: sieben_cpu::system::fuzz, corpus: "system", fences: &[], words: no_words },
     Target { name: "lang-awlsim-project", fuzz: sieben_lang::awlsim_project::fuzz, corpus: "awlpro", fences: &[], words: project_words },
     Target { name: "lang-codesys-files", fuzz: sieben_lang::codesys_files::fuzz, corpus: "codesys", fences: &[], words: twincat_words },
+    Target { name: "lang-diagram-lines", fuzz: sieben_lang::network::fuzz::lines, corpus: "diagrams", fences: &[], words: diagram_words },
+    Target { name: "lang-diagram-statements", fuzz: sieben_lang::network::fuzz::statements, corpus: "diagrams", fences: &[], words: no_words },
     Target { name: "lang-encoding", fuzz: encoding, corpus: "encoding", fences: &[], words: no_words },
     Target { name: "lang-st", fuzz: sieben_lang::st::fuzz, corpus: "st", fences: &["st"], words: st_words },
     Target { name: "lang-stl", fuzz: sieben_lang::stl::fuzz, corpus: "stl", fences: &["stl"], words: stl_words },
@@ -235,6 +237,17 @@ fn st_words() -> Vec<&'static str> {
         "x.3",
         "MW[i]",
         "DB10.DW4",
+        "\nLD\n",
+        "\nFBD\n",
+        "\nNETWORK",
+        "\n    OR\n",
+        "\n    BRANCH\n",
+        "\n    END\n",
+        "\n    NO  x",
+        "\n    COIL  /x",
+        "\n        IN1:\n",
+        "->",
+        "|-",
         "M0.1",
         "x : INT;",
         "AT",
@@ -371,6 +384,16 @@ fn symbol_words() -> Vec<&'static str> {
         "\t",
         ";",
     ]
+}
+
+fn diagram_words() -> Vec<&'static str> {
+    let signs = [
+        "-> ", "|- ", " | ", "(", ")", "/", "!", "[", "]", "{", " ; ", "}", "#(", ":= ", "=> ", ", ", ".", "and(", "or(", "xor(",
+        "= Q 4.0", "I 0.0", "MW 2",
+    ];
+    let words = sieben_lang::network::elements::ELEMENTS.iter().map(|row| row.word);
+    let boxes = sieben_lang::network::boxes::BOXES.iter().map(|row| row.name);
+    signs.into_iter().chain(words).chain(boxes).collect()
 }
 
 fn literal_words() -> Vec<&'static str> {

@@ -5,17 +5,19 @@ use std::path::PathBuf;
 use clap::Args;
 use serde_json::{Value, json};
 use sieben_cpu::{Cpu, OperatingMode, Restart};
-use sieben_engine::Tracer;
+use sieben_engine::{FaultPlace, LocalAccess, Machine, StatementEvent, Tracer};
 use sieben_jit::StatusBits;
 use sieben_sim::names::Name;
 use sieben_sim::trace::Moment;
 
 use crate::arguments::{DiagnosticsArgument, FaultArguments, ProgramArguments, StrictArgument};
+use crate::diagrams::{Diagrams, Form, LastMoment};
 use crate::engines::EngineArgument;
 use crate::failed::{self, Failed};
 use crate::failure::{Exit, Failure};
 use crate::local_check::LocalCheck;
 use crate::names;
+use crate::places::Places;
 use crate::project::Build;
 use crate::report::{self, Finding};
 use crate::schedule::ScheduleArguments;
@@ -55,6 +57,15 @@ pub(crate) struct Arguments {
     /// Watch the local data: report every temporary variable that is read before it is written (exit code 1)
     #[arg(long)]
     check_temp: bool,
+    /// Draw a network with its power flow and values at the end of the last scan; the ending says SVG or text
+    #[arg(long, value_name = "FILE.svg", requires = "network")]
+    status: Option<PathBuf>,
+    /// The network that --status draws: `FC1/2`, `Dosing/3`
+    #[arg(long, value_name = "BLOCK/N", requires = "status")]
+    network: Option<String>,
+    /// Draw --status as this
+    #[arg(long = "as", value_name = "FORM", default_value = "lad", requires = "status")]
+    form: Form,
     #[command(flatten)]
     strict: StrictArgument,
     #[command(flatten)]
@@ -79,6 +90,13 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let shown = names::resolve_lists(&arguments.show, symbols, &cpu)?;
     let mut changes = arguments.schedule.changes(symbols, &cpu)?;
 
+    let places = Places::new(&build);
+    let diagrams = arguments.network.is_some().then(|| Diagrams::new(&build, &places));
+    let mut moment = match (&diagrams, &arguments.status, &arguments.network) {
+        (Some(diagrams), Some(file), Some(network)) => Some(LastMoment::new(diagrams, network, arguments.form, file)?),
+        _ => None,
+    };
+
     let mut check = arguments.check_temp.then(LocalCheck::default);
     // A watched run is interpreted, whatever the engine.
     cpu.restart_with(Restart::Warm, &mut || 0, check.as_mut().map(|check| check as &mut dyn Tracer));
@@ -87,14 +105,24 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     for scan in 0..count {
         let now_us = schedule.begin_us(scan);
         changes.apply(&mut cpu, now_us)?;
-        cpu.scan_with(&mut || now_us, check.as_mut().map(|check| check as &mut dyn Tracer));
+        if let Some(moment) = &mut moment {
+            moment.begin();
+        }
+        let mut tracer = Both { check: check.as_mut(), moment: moment.as_mut() };
+        let is_traced = tracer.is_wanted();
+        cpu.scan_with(&mut || now_us, is_traced.then_some(&mut tracer as &mut dyn Tracer));
         let stopped = cpu.mode() == OperatingMode::Stop;
-        if arguments.every || stopped || scan + 1 == count {
+        let is_last = stopped || scan + 1 == count;
+        // A network that is drawn says what there is to say.
+        if arguments.every || is_last && (arguments.status.is_none() || arguments.json || !shown.is_empty()) {
             print_scan(arguments, &build, &cpu, &shown, Moment { scan, time_us: now_us })?;
         }
         if stopped {
             break;
         }
+    }
+    if let Some(moment) = &moment {
+        moment.write(&cpu)?;
     }
     let findings: Vec<Finding> = check.iter().flat_map(|check| check.findings(&build)).map(Finding::program).collect();
     if !findings.is_empty() {
@@ -118,10 +146,41 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         }
         _ if !findings.is_empty() || arguments.strict.is_strict() && failed.is_some() => Ok(Exit::CheckFailed),
         _ => {
-            if shown.is_empty() && !arguments.json && !arguments.check_temp && !arguments.diagnostics.wanted() {
+            if shown.is_empty() && !arguments.json && arguments.status.is_none() && !arguments.check_temp && !arguments.diagnostics.wanted()
+            {
                 output::message("Nothing was asked for: `--show MW0,Q0.0` prints values.\n");
             }
             Ok(Exit::Success)
+        }
+    }
+}
+
+/// The two that may watch a run.
+struct Both<'a, 'd> {
+    check: Option<&'a mut LocalCheck>,
+    moment: Option<&'a mut LastMoment<'d>>,
+}
+
+impl Both<'_, '_> {
+    /// Whether one of them does.
+    fn is_wanted(&self) -> bool {
+        self.check.is_some() || self.moment.is_some()
+    }
+}
+
+impl Tracer for Both<'_, '_> {
+    fn statement(&mut self, machine: &Machine, event: &StatementEvent) {
+        if let Some(check) = &mut self.check {
+            check.statement(machine, event);
+        }
+        if let Some(moment) = &mut self.moment {
+            moment.note(event);
+        }
+    }
+
+    fn local_data(&mut self, machine: &Machine, place: FaultPlace, access: LocalAccess) {
+        if let Some(check) = &mut self.check {
+            check.local_data(machine, place, access);
         }
     }
 }

@@ -1,5 +1,6 @@
-//! `sieben explain WORD`: an instruction, a function, a problem code, a CPU type, a status bit, an OB, a system function or an event, from the tables.
+//! `sieben explain WORD`: an instruction, an element of a diagram, a function, a problem code, a CPU type, a status bit, an OB, a system function or an event, from the tables.
 
+mod diagrams;
 mod functions;
 mod tables;
 mod words;
@@ -73,13 +74,15 @@ const REASONS_SHOWN: usize = 4;
 /// The pages of all problems by code.
 const PAGES: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/problem_pages.rs"));
 
-/// Explain an instruction, a function, a problem code, a CPU type, a system function or an event.
+/// Explain an instruction, an element of a diagram, a function, a problem code, a CPU type, a system function or an event.
 #[derive(Args)]
 #[command(after_help = "Examples:\n  \
   sieben explain SPB           an instruction, in either mnemonic language\n  \
   sieben explain 'A('          quote what the shell would take\n  \
   sieben explain TON           a function or a block of Structured Text\n  \
   sieben explain P2001         a problem code\n  \
+  sieben explain NO            an element or a box of a diagram: MID, COIL, S_ODT, ADD_I\n  \
+  sieben explain R-TWO         why a network is not drawn; also: what a rewrite changes, W3\n  \
   sieben explain 416-3         a CPU type\n  \
   sieben explain RLO           a bit of the status word\n  \
   sieben explain 'OB 121'      an organization block\n  \
@@ -139,15 +142,22 @@ fn explain(word: &str) -> Option<String> {
         return Some(organization_blocks());
     }
     // `MOD` is an instruction and a function, `TON` a function block and SFB 4.
-    let programs: Vec<String> =
-        [instruction(word), words::word_of_a_course(word), functions::function(word), system_function(word), library_block(word)]
-            .into_iter()
-            .flatten()
-            .collect();
+    let programs: Vec<String> = [
+        instruction(word),
+        diagrams::element(word),
+        words::word_of_a_course(word),
+        functions::function(word),
+        system_function(word),
+        library_block(word),
+        diagrams::rewrite(word),
+    ]
+    .into_iter()
+    .flatten()
+    .collect();
     (!programs.is_empty())
         .then(|| programs.join("\n"))
         .or_else(|| event(word))
-        .or_else(|| Problem::from_code(word).map(problem))
+        .or_else(|| Problem::from_code(word).or_else(|| diagrams::reason(word)).map(problem))
         .or_else(|| CpuType::by_name(word).map(cpu_type))
         .or_else(|| status_bit(word))
         .or_else(|| organization_block(word))
@@ -362,6 +372,7 @@ fn unknown(word: &str) -> Failure {
         .chain(library::ALL.iter().map(|block| block.name))
         .chain(sieben_lang::st::standard::catalogue::names())
         .chain(words::spellings())
+        .chain(diagrams::words())
         .chain(["cpu", "problems", "instructions", "functions", "library", "system", "status", "jumps"]);
     let failure = Failure::usage(Problem::P7007, format!("nothing is known about `{word}`"));
     // `315` is how everybody calls the 315-2PN/DP; as letters it is too far away to look alike.

@@ -12,6 +12,7 @@ pub(crate) mod fmt;
 pub(crate) mod new;
 pub(crate) mod record;
 pub(crate) mod refs;
+pub(crate) mod render;
 pub(crate) mod run;
 pub(crate) mod step;
 pub(crate) mod structure;

@@ -5,6 +5,7 @@ use std::collections::{BTreeSet, HashMap};
 use sieben_model::mnemonics::Mnemonics;
 
 use crate::codesys_files::ends_in_comment;
+use crate::st::diagrams::Language as Drawn;
 use crate::st::dialect::Dialect;
 use crate::stl::instructions::Instruction;
 
@@ -183,7 +184,7 @@ const ST_WORDS: [&str; 17] = [
 /// Counts the lines of a source that show its language. Lines of declarations, data blocks and parameter lists look alike in both.
 pub(super) fn lines(text: &str) -> Lines {
     let mut found = Lines::default();
-    let (mut comment, mut declares, mut at) = (false, false, 0);
+    let (mut comment, mut declares, mut draws, mut at) = (false, false, false, 0);
     for line in beginning(text).split_inclusive('\n') {
         let start = at;
         at += line.len();
@@ -191,6 +192,12 @@ pub(super) fn lines(text: &str) -> Lines {
         comment = ends_in_comment(line, comment);
         let upper = code.to_ascii_uppercase();
         let first = upper.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_')).next().unwrap_or_default();
+        // The lines of a body that is a diagram show nothing; its first word does.
+        draws &= !begins_or_ends_block(first);
+        if draws {
+            continue;
+        }
+        draws = !declares && Drawn::of(first).is_some() && (upper == first || upper[first.len()..].trim_start().starts_with("NETWORK"));
         match first {
             _ if first.starts_with("VAR") || matches!(first, "STRUCT" | "DATA_BLOCK" | "TYPE" | "CONST") => {
                 declares = !upper.contains("END_VAR");
@@ -206,7 +213,7 @@ pub(super) fn lines(text: &str) -> Lines {
             _ => {}
         }
         let place = (start + line.len() - line.trim_start().len(), start + line.trim_end().len());
-        let of_st = ST_WORDS.contains(&first) || !declares && assigns(&upper);
+        let of_st = draws || ST_WORDS.contains(&first) || !declares && assigns(&upper);
         if of_st {
             found.st += 1;
             found.first_st.get_or_insert(place);
@@ -216,6 +223,13 @@ pub(super) fn lines(text: &str) -> Lines {
         }
     }
     found
+}
+
+/// Whether a line begins or ends a block, by its first word: a diagram ends before it.
+fn begins_or_ends_block(first: &str) -> bool {
+    let blocks = ["PROGRAM", "FUNCTION", "FUNCTION_BLOCK", "ORGANIZATION_BLOCK", "DATA_BLOCK", "TYPE", "METHOD", "ACTION", "CLASS"];
+    let ended = first.strip_prefix("END_").unwrap_or(first);
+    blocks.contains(&ended)
 }
 
 /// Whether a line assigns as Structured Text does: `x := 1;`, `#a.b[3] := 1;`, `"DB".x := 1;`.

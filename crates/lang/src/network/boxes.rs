@@ -173,3 +173,36 @@ impl CounterKind {
         Self::ALL[self as usize].2
     }
 }
+
+/// The pins of a function block of IEC 61131-3 that a line enters, and that it goes on from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PowerPins {
+    /// What the names of the blocks begin with.
+    pub blocks: &'static [&'static str],
+    /// The input, as its block calls it first; others may call it by another of these names.
+    pub input: &'static [&'static str],
+    /// The output.
+    pub output: &'static str,
+}
+
+/// The function blocks of the standard whose line enters another pin than EN. Where several begin alike, the longer name stands first.
+pub const POWER_PINS: &[PowerPins] = &[
+    PowerPins { blocks: &["TONR", "TON", "TOF", "TP", "LTON", "LTOF", "LTP"], input: &["IN"], output: "Q" },
+    PowerPins { blocks: &["CTUD", "LCTUD"], input: &["CU"], output: "QU" },
+    PowerPins { blocks: &["CTU", "LCTU"], input: &["CU"], output: "Q" },
+    PowerPins { blocks: &["CTD", "LCTD"], input: &["CD"], output: "Q" },
+    PowerPins { blocks: &["R_TRIG", "F_TRIG"], input: &["CLK"], output: "Q" },
+    PowerPins { blocks: &["SR"], input: &["S1", "SET1"], output: "Q1" },
+    PowerPins { blocks: &["RS"], input: &["S", "SET"], output: "Q1" },
+];
+
+impl PowerPins {
+    /// Those of a block by its name: `TON`, `TON_TIME`.
+    pub fn of(block: &str) -> Option<&'static Self> {
+        let is_of = |base: &&str| {
+            let own = block.get(..base.len()).is_some_and(|begin| begin.eq_ignore_ascii_case(base));
+            own && matches!(block.as_bytes().get(base.len()), None | Some(b'_'))
+        };
+        POWER_PINS.iter().find(|row| row.blocks.iter().any(is_of))
+    }
+}

@@ -45,6 +45,8 @@ pub enum MistakeKind {
     Position,
     /// An element that only FBD has, in LAD.
     OnlyFbd,
+    /// A diagram on one line that is not understood.
+    Line,
     /// Too many elements, or nested too deep.
     Size,
 }

@@ -3,13 +3,18 @@
 //! Nothing here knows a language: operands are kept as written, and what they mean is asked of the block that the network stands in.
 
 pub mod boxes;
+pub mod elements;
 pub mod flavour;
 pub mod form_a;
 pub mod form_b;
+pub mod fuzz;
 pub mod mistake;
 pub mod model;
 pub mod operand;
+pub mod read;
+pub mod reasons;
 pub mod rules;
 pub mod statement;
+pub mod to_lad;
 pub mod words;
 pub mod write;

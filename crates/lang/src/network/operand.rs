@@ -99,9 +99,11 @@ impl Operand {
 
     /// It is the address of a bit of I, Q, M, L or a data block.
     pub fn is_bit_address(&self) -> bool {
-        let address = self.text.split_once(".DBX").map_or(self.text.as_str(), |(block, _)| {
-            if block.starts_with("DB") || block.starts_with('"') { &self.text[block.len() + 1..] } else { &self.text }
-        });
+        let text = compact(&self.text);
+        let address = match text.split_once(".DBX") {
+            Some((block, _)) if block.starts_with("DB") || block.starts_with('"') => &text[block.len() + 1..],
+            _ => text.as_str(),
+        };
         let letters = address.find(|sign: char| sign.is_ascii_digit()).unwrap_or(0);
         let (word, number) = address.split_at(letters);
         let numbers = number.split_once('.').is_some_and(|(byte, bit)| {

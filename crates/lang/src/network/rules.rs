@@ -4,6 +4,9 @@ use super::flavour::{Drawing, Flavour};
 use super::mistake::{Mistake, MistakeKind};
 use super::model::{Actual, Content, Element, End, Kind, Line, Network, Output, OutputKind, Place, Rung};
 
+/// How many elements a network may have. A block of STEP 7 has at most 64 Kbyte of code, which is about as many.
+pub const ELEMENTS_MAX: usize = 8192;
+
 /// How many brackets a CPU of the S7 keeps open at a time.
 pub const BRACKETS_MAX: usize = 7;
 
@@ -21,7 +24,7 @@ pub fn outputs(outputs: Vec<Output>) -> End {
 
 /// All that is wrong with a network, in its order. Places of elements are bytes of the text; `drawing` is what it is written as, if that is known.
 pub fn mistakes(network: &Network, flavour: Flavour, drawing: Option<Drawing>) -> Vec<Mistake> {
-    let mut rules = Rules { flavour, drawing, found: Vec::new(), place: Place::default() };
+    let mut rules = Rules { flavour, drawing, found: Vec::new(), place: Place::default(), elements: 0 };
     if let Content::Rung(rung) = &network.content {
         rules.rung(rung, Begin::Rail);
     }
@@ -56,6 +59,8 @@ struct Rules {
     found: Vec<Mistake>,
     /// The last element that was looked at.
     place: Place,
+    /// Elements that were looked at.
+    elements: usize,
 }
 
 impl Rules {
@@ -122,6 +127,11 @@ impl Rules {
 
     /// A line inside of `depth` brackets.
     fn line(&mut self, line: &[Element], from: Begin, depth: usize) {
+        self.elements += line.len();
+        if self.elements > ELEMENTS_MAX && self.elements - line.len() <= ELEMENTS_MAX {
+            let place = line.get(ELEMENTS_MAX - (self.elements - line.len())).map_or(self.place, |one| one.place);
+            self.report(MistakeKind::Size, place, format!("a network has at most {ELEMENTS_MAX} elements; divide it into several"));
+        }
         let boxes = line.iter().filter(|one| one.kind.is_box()).count();
         let ends_with_box = line.last().is_some_and(|one| one.kind.is_box());
         let depth = depth + boxes.saturating_sub(usize::from(ends_with_box));

@@ -285,11 +285,9 @@ impl Writer<'_> {
                 self.input(&OR, &branch.line, false, source);
                 continue;
             }
-            // Branches up to the last one that holds an edge stand in brackets, the first one excepted. So does what acts on its line:
-            // after a bare `O` it would act on the branches before it, too.
-            let plain = last_edge.is_none_or(|last| index > last) && !branch.line.iter().any(|one| one.kind.acts_on_line());
+            let plain = may_stand_bare(branch, index, last_edge);
             self.place = branch.line.first().map_or(self.place, |one| one.place);
-            if branch.bracketed || !(index == 0 || plain) {
+            if branch.bracketed || !plain {
                 self.put("O(", "");
                 self.value(&branch.line, Then::Output, source.inside());
                 self.put(")", "");
@@ -470,6 +468,12 @@ impl Checks {
     }
 }
 
+/// A branch of several elements needs no bracket of its own. Those up to the last one that holds an edge have one, the first one excepted;
+/// so has one with NOT, a midline output or a box, which would act on the branches before it as well.
+pub(super) fn may_stand_bare(branch: &Branch, index: usize, last_edge: Option<usize>) -> bool {
+    index == 0 || (last_edge.is_none_or(|last| index > last) && !branch.line.iter().any(|one| one.kind.acts_on_line()))
+}
+
 fn edge(falling: bool) -> &'static str {
     if falling { "FN" } else { "FP" }
 }
@@ -490,7 +494,7 @@ fn first_place(rung: &Rung) -> Option<Place> {
 }
 
 /// The tapped line is read by an element of its own instead of coming from the left.
-pub(super) fn reads_tap(line: &[Element]) -> bool {
+pub fn reads_tap(line: &[Element]) -> bool {
     line.iter().any(|element| match &element.kind {
         Kind::Tap { .. } => true,
         Kind::Parallel { branches, .. } => branches.iter().any(|branch| reads_tap(&branch.line)),

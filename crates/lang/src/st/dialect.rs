@@ -357,6 +357,8 @@ pub struct Switches {
     pub local_data_limited: bool,
     /// TRUNC gives the integer type of where it stands; else DINT.
     pub trunc_takes_type: bool,
+    /// The first call of F_TRIG with CLK FALSE is no edge.
+    pub quiet_f_trig: bool,
 }
 
 macro_rules! switches {
@@ -413,6 +415,7 @@ switches! {
     organization_block_inputs: false,         false,             false,                   true;
     local_data_limited:      false,           false,             true,                    false;
     trunc_takes_type:        true,            false,             false,                   false;
+    quiet_f_trig:            false,           true,              true,                    true;
 }
 
 #[cfg(test)]

@@ -7,6 +7,7 @@ use rowan::{NodeOrToken, WalkEvent};
 use sieben_model::diagnostic::{Diagnostic, Severity};
 use sieben_model::source::FileId;
 
+use super::diagrams;
 use super::dialect::Dialect;
 use super::parser::parse;
 use super::syntax::{SyntaxKind, SyntaxToken};
@@ -76,6 +77,8 @@ struct Formatter {
     break_next: bool,
     /// A body has ended, and only comments came since.
     after_body: bool,
+    /// Behind a diagram, whose last line has its end already.
+    after_diagram: bool,
     /// Behind TYPE, on its line: `TYPE "name"` is one header in TIA.
     after_type: bool,
 }
@@ -98,6 +101,7 @@ impl Formatter {
             nodes: Vec::new(),
             break_next: false,
             after_body: false,
+            after_diagram: false,
             after_type: false,
         }
     }
@@ -143,11 +147,14 @@ impl Formatter {
             SyntaxKind::Newline => {
                 match self.used {
                     true => self.end_line(),
+                    // A diagram has ended its last line itself.
+                    false if std::mem::take(&mut self.after_diagram) => {}
                     false => self.empty += 1,
                 }
                 self.blank.clear();
                 return;
             }
+            SyntaxKind::Diagram => return self.diagram(text),
             SyntaxKind::LineComment | SyntaxKind::BlockComment | SyntaxKind::Pragma => {}
             _ if std::mem::take(&mut self.after_type) && self.used && !text.starts_with('"') => self.end_line(),
             SyntaxKind::Semicolon => self.break_next = false,
@@ -177,6 +184,23 @@ impl Formatter {
                 node.fresh = false;
             }
         }
+    }
+
+    /// The networks of a body that is a diagram, below its first word.
+    fn diagram(&mut self, text: &str) {
+        // The blanks of the first line tell how far it is indented.
+        let written = std::mem::take(&mut self.blank) + text;
+        self.end_line();
+        self.empty = 0;
+        let indent = " ".repeat(self.indent(SyntaxKind::Name, ""));
+        for line in diagrams::layout::lines(&written) {
+            if !line.is_empty() {
+                self.out.push_str(&indent);
+                self.out.push_str(&line);
+            }
+            self.out.push_str(self.newline);
+        }
+        (self.break_next, self.after_diagram) = (true, true);
     }
 
     /// Whether an operand stands next, and no operator between two.
@@ -339,6 +363,15 @@ mod tests {
     fn line_ends_are_those_of_the_code_and_not_of_a_comment() {
         let text = "\r\n(* a\rb *)\r\nx := 1;\r\n";
         assert_eq!(format(text, Dialect::Iec).as_deref(), Ok("(* a\rb *)\r\nx := 1;\r\n"));
+    }
+
+    #[test]
+    fn a_diagram_gets_the_layout_of_form_a_and_keeps_it() {
+        let text = "PROGRAM Main\nVAR a,b,x:BOOL;t:TON;END_VAR\n\nLD\nNETWORK\nTITLE = two  words\n// why\nOR\n  NO   a // left\nOR\n  NC b\nEND\nTON t\n PT:=T#2s\nCOIL x\n\nNETWORK   FBD\n  AND( a , b ) -> = x\nEND_PROGRAM\n";
+        let once = "PROGRAM Main\n  VAR\n    a, b, x : BOOL;\n    t : TON;\n  END_VAR\n\n  LD\n  NETWORK\n  TITLE = two  words\n      // why\n      OR\n          NO  a  // left\n      OR\n          NC  b\n      END\n      TON t\n          PT:=T#2s\n      COIL  x\n\n  NETWORK FBD\n      AND( a , b ) -> = x\nEND_PROGRAM\n";
+        let formatted = format(text, Dialect::Iec).unwrap_or_else(|errors| panic!("{errors:?}"));
+        assert_eq!(formatted, once);
+        assert_eq!(format(once, Dialect::Iec).as_deref(), Ok(once));
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 
+use super::diagrams::text::BodyBegins;
 use super::dialect::{Construct, Dialect, Judgement};
 use super::keywords::Keyword;
 pub(super) use crate::scan::in_word;
@@ -75,6 +76,10 @@ pub(super) enum Raw {
     Attempt,
     /// `==`, `!=`.
     Foreign,
+    /// LD or FBD as the first word of a body.
+    DiagramWord,
+    /// The networks of such a body.
+    Diagram,
     /// A character that begins nothing.
     Unknown,
 }
@@ -100,13 +105,26 @@ pub(super) struct Token {
 pub(super) fn tokens(text: &str, dialect: Dialect) -> Vec<Token> {
     let mut tokens = Vec::with_capacity(text.len() / 4 + 1);
     let mut start = 0;
+    let mut body = BodyBegins::default();
+    let mut diagram = None;
     loop {
-        let (raw, end) = token(text, start, dialect);
+        let (mut raw, mut end) = token(text, start, dialect);
         let keyword = (raw == Raw::Word).then(|| Keyword::of(&text[start..end], dialect)).flatten();
-        tokens.push(Token { raw, keyword, start: start as u32, end: end as u32 });
+        if raw == Raw::Word
+            && keyword.is_none()
+            && let Some(networks) = body.diagram(text, start..end, dialect)
+        {
+            raw = Raw::DiagramWord;
+            diagram = Some(networks).filter(|networks| !networks.is_empty());
+        } else if let Some(networks) = diagram.take_if(|networks| networks.start == start) {
+            (raw, end) = (Raw::Diagram, networks.end);
+        }
+        let token = Token { raw, keyword: keyword.filter(|_| raw == Raw::Word), start: start as u32, end: end as u32 };
+        tokens.push(token);
         if raw == Raw::End {
             return tokens;
         }
+        body.see(token);
         start = end;
     }
 }

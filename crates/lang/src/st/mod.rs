@@ -4,6 +4,7 @@ pub mod ast;
 pub(crate) mod body;
 pub mod check;
 pub mod declare;
+pub mod diagrams;
 pub mod dialect;
 mod dtl;
 mod error_struct;

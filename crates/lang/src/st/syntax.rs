@@ -51,6 +51,8 @@ kinds! {
     Semicolon,
     /// `:`, `,`, brackets and the like.
     Punctuation,
+    /// The networks of a body that is a diagram.
+    Diagram,
     /// Something that does not belong here.
     Unexpected,
     /// A whole source.

@@ -20,6 +20,7 @@ use sieben_model::problems::Problem;
 use sieben_model::source::Span;
 
 use super::ast;
+use super::diagrams::first_scratch_bit;
 use super::extension;
 use super::instructions::Instruction;
 use super::lower::{ResolvedBlock, Statement};
@@ -80,7 +81,7 @@ pub(crate) fn block(
         // The place of a statement that is wrong stays taken, so that labels keep their numbers.
         let (instruction, operand) = chosen.unwrap_or((Instruction::Nop0, Operand::Constant(Value::Int(0))));
         let origin = origin(source, index, network, statements.last());
-        let stated = origin.element().map(|_| stated(known, interface, statement));
+        let stated = origin.element().map(|_| stated(known, id, interface, statement));
         statements.push(Statement { instruction, operand, origin, stated });
         types.push(resolver.declared.take());
     }
@@ -123,12 +124,12 @@ fn origin(source: &ast::Block, index: usize, network: u32, before: Option<&State
 }
 
 /// The statement that an element of a diagram stands for, as it would be written.
-fn stated(known: &Known<'_>, interface: &Interface, statement: &ast::Statement) -> Arc<str> {
+fn stated(known: &Known<'_>, id: BlockId, interface: &Interface, statement: &ast::Statement) -> Arc<str> {
     let mnemonic = &statement.mnemonic.text;
     let operand = match &statement.operand {
         ast::Operand::None => String::new(),
         ast::Operand::Scratch { bit } => {
-            let bit = u64::from(interface.local_size) * 8 + u64::from(*bit);
+            let bit = u64::from(first_scratch_bit(interface, id.kind)) + u64::from(*bit);
             format!("L {}.{}", bit / 8, bit % 8)
         }
         // Labels that boxes need are called otherwise inside, so that nothing that is written can name them.

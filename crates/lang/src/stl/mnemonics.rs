@@ -67,6 +67,11 @@ pub enum Drawn {
     No,
 }
 
+/// Where the word ends that says how a network is written, if there is one at this byte; else the byte itself.
+pub(super) fn notation_after(text: &str, end: usize) -> usize {
+    notation(text, end, Drawn::No).1
+}
+
 /// What the word after NETWORK says, and where what follows begins.
 fn notation(text: &str, end: usize, usual: Drawn) -> (Drawn, usize) {
     let mut at = end;

@@ -27,6 +27,7 @@ use crate::scope::{Scope, did_you_mean, key};
 use crate::stl::ast;
 use crate::stl::check::TemporaryReads;
 use crate::stl::declare::path::FieldNames;
+use crate::stl::diagrams::first_scratch_bit;
 use crate::stl::operands::{Access, Location, Operand};
 pub(crate) use calls::{plain_callee, plain_data_block};
 
@@ -199,7 +200,7 @@ impl<'a> Resolver<'a> {
                 self.extended(span).then_some(Meaning::Operand(operand))
             }
             ast::Operand::Scratch { bit } => {
-                let position = self.interface.local_size.saturating_mul(8).saturating_add(*bit);
+                let position = first_scratch_bit(self.interface, self.id.kind).saturating_add(*bit);
                 let location = Location::Fixed { area: Area::Local, position };
                 self.check_area(&location, Width::Bit, span);
                 Some(Meaning::Variable { location, data_type: DataType::Bool, declared: false })

@@ -1,23 +1,11 @@
 //! Diagrams on one line.
 
 use sieben_lang::network::flavour::{Drawing, Flavour};
-use sieben_lang::network::form_b::{Wrong, parse, print};
-use sieben_lang::network::statement::Statement;
+use sieben_lang::network::form_b::{parse, print};
+use sieben_lang::network::mistake::Mistake;
 use sieben_lang::network::write::write;
 
-/// A statement as text.
-pub(crate) fn shown(statement: &Statement) -> String {
-    let label = statement.label.as_ref().map(|label| format!("{label}: ")).unwrap_or_default();
-    let operand = if statement.operand.is_empty() { String::new() } else { format!(" {}", statement.operand) };
-    let instance = statement.instance.as_ref().map(|instance| format!(", {instance}")).unwrap_or_default();
-    let parameters: Vec<String> = statement.parameters.iter().map(|one| format!("{} := {}", one.name, one.actual)).collect();
-    let parameters = if parameters.is_empty() { String::new() } else { format!(" ( {} )", parameters.join(", ")) };
-    format!("{label}{}{operand}{instance}{parameters}", statement.mnemonic)
-}
-
-pub(crate) fn all_shown(statements: &[Statement]) -> String {
-    statements.iter().map(shown).collect::<Vec<_>>().join("; ")
-}
+use crate::statements::all_shown;
 
 /// A line, how the other drawing writes it, and its statements.
 const LINES: &[(&str, &str, &str)] = &[
@@ -48,9 +36,15 @@ const LINES: &[(&str, &str, &str)] = &[
         "A I 0.0; = L 6.0; O L 6.0; O I 0.1; = Q 4.1; A L 6.0; A I 0.1; FP M 1.1; JNB _001; L 1; T MW 0; _001: NOP 0",
     ),
     (
-        "|- CALL FB 3, DB 6(IN := I 0.0, SPEED := MW 10, OUT => Q 4.0, B := =\"x\")",
-        "|- CALL FB 3, DB 6(IN := I 0.0, SPEED := MW 10, OUT => Q 4.0, B := =\"x\")",
+        "|- CALL FB 3, DB 6(IN := I 0.0, SPEED := MW 10, OUT => Q 4.0, B := \"x\")",
+        "|- CALL FB 3, DB 6(IN := I 0.0, SPEED := MW 10, OUT => Q 4.0, B := \"x\")",
         "A I 0.0; = L 6.0; BLD 103; CALL FB 3, DB 6 ( IN := L 6.0, SPEED := MW 10, OUT := Q 4.0, B := \"x\" ); NOP 0",
+    ),
+    ("|- MOVE(\"Level\" => MW 0)", "|- MOVE(\"Level\" => MW 0)", "L \"Level\"; T MW 0; NOP 0"),
+    (
+        "I 0.0 S_CU[C 1](S := I 0.1, PV := 3)",
+        "S_CU[C 1](CU := I 0.0, S := I 0.1, PV := 3)",
+        "A I 0.0; CU C 1; BLD 101; A I 0.1; L 3; S C 1; NOP 0; NOP 0; NOP 0; NOP 0",
     ),
     ("|- MOVE(P#M 0.0 BYTE 4 => MD 0)", "|- MOVE(P#M 0.0 BYTE 4 => MD 0)", "L P#M 0.0 BYTE 4; T MD 0; NOP 0"),
     ("LABEL m1: |- JMP m2", "LABEL m1: |- JMP m2", "m1: JU m2"),
@@ -114,7 +108,7 @@ const WRONG: &[(&str, usize, &str)] = &[
 fn what_is_no_diagram_is_said_with_its_place() {
     for (line, at, message) in WRONG {
         let Err(wrong) = parse(line, 100, Flavour::S7) else { panic!("{line} is read") };
-        assert_eq!(wrong.at, at + 100, "{line}: {wrong:?}");
+        assert_eq!(wrong.start, at + 100, "{line}: {wrong:?}");
         assert!(wrong.message.starts_with(message), "{line}: {wrong:?}");
     }
 }
@@ -122,14 +116,14 @@ fn what_is_no_diagram_is_said_with_its_place() {
 #[test]
 fn deep_and_long_lines_are_answered() {
     let deep = "(".repeat(100_000);
-    let Err(Wrong { at, message }) = parse(&deep, 0, Flavour::S7) else { panic!("100,000 brackets are read") };
+    let Err(Mistake { start: at, message, .. }) = parse(&deep, 0, Flavour::S7) else { panic!("100,000 brackets are read") };
     assert!(at < 100 && message.contains("brackets nest deeper"), "{at}: {message}");
     for open in ["{", "/", "!(", "and(", "x SR[M 0.0](R := ", "I 0.0 {"] {
         assert!(parse(&open.repeat(10_000), 0, Flavour::S7).is_err(), "{open}");
     }
     let long = "I 0.0 ".repeat(10_000) + "-> = Q 4.0";
-    assert!(parse(&long, 0, Flavour::S7).is_ok());
-    let boxes = "I 0.0 ".to_owned() + &"MOVE(1 => MW 0) ".repeat(10_000);
-    let Err(wrong) = parse(&boxes, 0, Flavour::S7) else { panic!("10,000 boxes in a row need 10,000 brackets") };
+    assert!(parse(&long, 0, Flavour::S7).is_err_and(|mistake| mistake.message.contains("at most")));
+    let boxes = "I 0.0 ".to_owned() + &"MOVE(1 => MW 0) ".repeat(8_000);
+    let Err(wrong) = parse(&boxes, 0, Flavour::S7) else { panic!("8,000 boxes in a row need as many brackets") };
     assert!(wrong.message.contains("more than 7 brackets"), "{wrong:?}");
 }

@@ -1,3 +1,7 @@
-//! Diagrams: their text, and the statements that they stand for.
+//! Diagrams: their text, the statements that they stand for, and what statements can be drawn.
 
 mod form_b;
+mod random;
+mod rules;
+mod statements;
+mod vectors;

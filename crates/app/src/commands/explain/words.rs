@@ -66,10 +66,16 @@ const WORDS: &[Word] = &[
     word(&["L#"], "L#, an integer constant of 32 bits", &["`L L#5` loads a DINT; `L 5` loads an INT, whose upper half is 0."]),
     word(&["C#"], "C#, the value of a counter", &["`L C#25; S C 1` sets a counter to 25: three BCD digits, 0 to 999."]),
     word(&["B#16#", "W#16#", "DW#16#", "16#", "2#"], "16# and 2#, constants in hexadecimal and binary digits", &["`B#16#FF`, `W#16#00FF`, `DW#16#1234_5678` and `2#1010_0101`."]),
-    word(&["LAD", "KOP"], "LAD (ladder diagram, KOP in German)", &["A language that draws contacts and coils like a circuit diagram. Sieben does not read it: export the block as an STL source."]),
-    word(&["FBD", "FUP"], "FBD (function block diagram, FUP in German)", &["A language that draws boxes such as AND and OR. Sieben does not read it: export the block as an STL source."]),
+    word(&["LAD", "KOP"], "LAD (ladder diagram, KOP in German)", &[
+        "A drawing of a network like a circuit diagram: contacts in series and in parallel, boxes, and coils at the right.",
+        "Written as text in `.lad` files and after `NETWORK LAD`; `sieben convert --to lad` draws a block, `sieben explain NO` tells what an element does.",
+    ]),
+    word(&["FBD", "FUP"], "FBD (function block diagram, FUP in German)", &[
+        "A drawing of a network with boxes such as & and >=1, whose inputs are operands or other boxes. It shows all that LAD does, and some more.",
+        "Written as text in `.fbd` files and after `NETWORK FBD`; `sieben convert --to fbd` draws a block.",
+    ]),
     word(&["STL", "AWL"], "STL (statement list, AWL in German)", &["One instruction in each line, such as `A I 0.0`. `sieben explain instructions` lists them."]),
-    word(&["RET"], "RET, the return of LAD", &["In STL `BEC` leaves the block if the RLO is 1, and `BEU` leaves it always. In Structured Text and SCL it is `RETURN`."]),
+    word(&["RET"], "RET, the return of a block", &["In STL `BEC` leaves the block if the RLO is 1, and `BEU` leaves it always. In Structured Text and SCL it is `RETURN`."]),
 ];
 
 /// What a word of a course means; its spaces do not count.

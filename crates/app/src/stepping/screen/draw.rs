@@ -67,6 +67,19 @@ pub(super) fn draw(frame: &mut Frame<'_>, picture: &Picture) {
     let foot = u16::try_from(message.len()).unwrap_or(MESSAGE_ROWS).clamp(1, MESSAGE_ROWS);
     let rows = [Constraint::Length(1), Constraint::Fill(1), Constraint::Length(REASON_HEIGHT), Constraint::Length(foot)];
     let [header, body, reason, keys] = Layout::vertical(rows).areas(area);
+    let body = match &picture.diagram {
+        Some((title, lines)) => {
+            // A sentence instead of a diagram goes over several lines.
+            let lines = if let [only] = lines.as_slice() { wrapped(only, area.width.saturating_sub(2)) } else { lines.clone() };
+            let diagram = (title.clone(), lines);
+            let room = body.height / 2;
+            let height = u16::try_from(diagram.1.len() + 2).unwrap_or(u16::MAX).min(room);
+            let [above, body] = Layout::vertical([Constraint::Length(height), Constraint::Fill(1)]).areas(body);
+            draw_diagram(frame, above, picture, &diagram);
+            body
+        }
+        None => body,
+    };
     let [source, side] = Layout::horizontal([Constraint::Fill(1), Constraint::Length(SIDE_WIDTH)]).areas(body);
     let registers_height = if picture.four_accumulators { 12 } else { 10 };
     let [registers, values] = Layout::vertical([Constraint::Length(registers_height), Constraint::Fill(1)]).areas(side);
@@ -100,6 +113,22 @@ fn draw_header(frame: &mut Frame<'_>, area: Rect, picture: &Picture) {
     let right = format!("{now}{scan} · {milliseconds} ms · {} {of} {} · {} ", view.position, view.end, view.mode);
     frame.render_widget(Paragraph::new(Line::from(right).right_aligned()), area);
     frame.render_widget(Paragraph::new(left), Rect { width: area.width / 2, ..area });
+}
+
+/// The network as a diagram; what 1 carries is bold.
+fn draw_diagram(frame: &mut Frame<'_>, area: Rect, picture: &Picture, (title, lines): &(String, Vec<String>)) {
+    let block = picture.frame(format!(" {title} "), false);
+    let on = picture.colour(Color::Green).add_modifier(Modifier::BOLD);
+    let style = |line: char| match line {
+        '═' | '║' => on,
+        '┄' | '┆' | '·' => picture.faint(),
+        _ => Style::new(),
+    };
+    let lines: Vec<Line<'_>> = lines
+        .iter()
+        .map(|line| Line::from(line.chars().map(|one| Span::styled(one.to_string(), style(one))).collect::<Vec<_>>()))
+        .collect();
+    frame.render_widget(Paragraph::new(lines).block(block), area);
 }
 
 fn draw_source(frame: &mut Frame<'_>, area: Rect, picture: &Picture) {

@@ -27,6 +27,8 @@ pub(super) enum Command {
     Focus,
     /// Shows the variables of the block, or the bits.
     Variables,
+    /// Shows the network as a diagram, or hides it.
+    Diagram,
     /// English or German.
     Language,
     /// Shows all keys, or hides them.
@@ -75,6 +77,7 @@ pub(super) fn command(key: KeyEvent, typing: bool) -> Option<Command> {
                 'r' => Command::Run(direction),
                 'g' => Command::ToCursor,
                 ' ' => Command::Toggle,
+                'd' => Command::Diagram,
                 'l' => Command::Language,
                 'v' => Command::Variables,
                 'h' | '?' => Command::Help,

@@ -1,9 +1,11 @@
 //! The state of the screen, and the picture that it makes of where the run stands.
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::rc::Rc;
 
 use sieben_engine::machine::Registers;
 use sieben_engine::{FaultPlace, Machine, StatementEvent};
+use sieben_ide::drawing::text::Characters;
 use sieben_model::address::{Address, Area, Width};
 use sieben_model::literal::Value;
 use sieben_model::mnemonics::Mnemonics;
@@ -12,12 +14,15 @@ use sieben_model::visible::visible;
 use sieben_sim::history::{Target, Until, Watch};
 
 use super::keys::Command;
+use crate::diagrams::{self, Blocks, Diagrams, Form, Watch as Watching};
 use crate::stepping::commands::{Answer, LINE_MAX, carry_out};
 use crate::stepping::texts::{halt, pick};
 use crate::stepping::{Language, Stepper, View, table};
 
 /// Statements before the present one whose registers are shown beside the source.
 const TRAIL: u64 = 200;
+/// Columns of a diagram: what the smallest terminal has room for.
+const DIAGRAM_COLUMNS: usize = 76;
 /// Bytes whose bits are shown at most.
 const BYTES_MAX: usize = 64;
 
@@ -46,6 +51,10 @@ pub(super) struct Screen {
     /// Inputs that were switched since this scan began: a module shows them to the next one.
     switched: HashMap<(u32, u8), bool>,
     switched_in: u64,
+    /// What the network is drawn as, above its statements.
+    diagram: Option<Form>,
+    /// The sources of the blocks, once a diagram was asked for.
+    blocks: Option<Rc<Blocks>>,
     message: String,
     prompt: Option<String>,
     help: bool,
@@ -92,6 +101,8 @@ pub(super) struct Picture {
     pub(super) watched: Vec<(String, String)>,
     /// The block that runs and its variables, in the place of the bits.
     pub(super) variables: Option<(String, Vec<(String, String)>)>,
+    /// The network as a diagram: what it is, and its lines.
+    pub(super) diagram: Option<(String, Vec<String>)>,
     /// The last statement.
     pub(super) statement: String,
     pub(super) reason: String,
@@ -104,6 +115,8 @@ pub(super) struct Picture {
 #[derive(Default)]
 struct Trail {
     seen: HashMap<FaultPlace, (u64, u64, u32)>,
+    /// The same statements in their order, with all registers.
+    order: Vec<(FaultPlace, Registers)>,
     /// The clock stands still in a scan: another time is another scan.
     clock_us: u64,
 }
@@ -113,7 +126,9 @@ impl Watch for Trail {
         if self.clock_us != machine.clock_us {
             self.clock_us = machine.clock_us;
             self.seen.clear();
+            self.order.clear();
         }
+        self.order.push((event.place, event.after.clone()));
         self.seen.insert(event.place, (event.after.rlo, event.after.sta, event.after.accu1 as u32));
         false
     }
@@ -132,6 +147,8 @@ impl Screen {
             chosen: (0, 0),
             switched: HashMap::new(),
             switched_in: 0,
+            diagram: None,
+            blocks: None,
             message: pick(stepper.language, greeting).to_owned(),
             prompt: None,
             help: false,
@@ -191,6 +208,13 @@ impl Screen {
             Command::Variables => {
                 self.variables = !self.variables;
                 self.focus = Focus::Source;
+            }
+            Command::Diagram => {
+                self.diagram = match self.diagram {
+                    None => Some(Form::Lad),
+                    Some(Form::Lad) => Some(Form::Fbd),
+                    Some(_) => None,
+                };
             }
             Command::Help => self.help = !self.help,
             Command::Prompt(words) => self.prompt = Some(words.to_owned()),
@@ -282,10 +306,32 @@ impl Screen {
         format!("{} {byte}", area.prefix(stepper.listing().places.mnemonics))
     }
 
+    /// The network where the run stands as a diagram, with what its statements did in this scan so far.
+    fn diagram(&mut self, stepper: &Stepper<'_>, view: &View, order: &[(FaultPlace, Registers)]) -> Option<(String, Vec<String>)> {
+        let form = self.diagram?;
+        let place = view.next.as_ref().or(view.executed.as_ref())?.place;
+        let blocks = self.blocks.get_or_insert_with(|| Rc::new(diagrams::blocks(stepper.build()))).clone();
+        let block = blocks.get(&place.block)?;
+        let number = stepper.listing().network(place)?;
+        let network = block.networks.iter().find(|network| network.number == number)?;
+        let mut watch = Watching::new(place.block, network);
+        order.iter().for_each(|(place, after)| watch.take(*place, after));
+        let build = stepper.build();
+        let status = watch.status(network, stepper.cpu(), &build.project.symbols);
+        let diagrams = Diagrams::of(build, &stepper.listing().places, blocks.clone());
+        let drawn = diagrams.shown_in(place.block, network, form, Some(&status), DIAGRAM_COLUMNS);
+        let lines = match (drawn.text(Characters::Unicode), &drawn.reason) {
+            (Some(text), _) => text.lines().map(shown).collect(),
+            (None, reason) => vec![shown(reason.as_deref().unwrap_or_default())],
+        };
+        Some((shown(&drawn.title), lines))
+    }
+
     /// The picture of where the run stands.
     pub(super) fn picture(&mut self, stepper: &mut Stepper<'_>) -> Picture {
-        let seen = trail(stepper);
+        let Trail { seen, order, .. } = trail(stepper);
         let view = stepper.view();
+        let diagram = self.diagram(stepper, &view, &order);
         let texts = &stepper.build().project.texts.program;
         let file = texts.file(self.file);
         self.cursor = self.cursor.min(file.text.lines().count().saturating_sub(1));
@@ -357,6 +403,7 @@ impl Screen {
             bytes,
             watched,
             variables,
+            diagram,
             statement: view.executed.as_ref().map_or_else(String::new, |line| shown(line.said(stepper.language))),
             reason: shown(&stepper.reason()),
             message: shown(if self.message.is_empty() { &hits } else { &self.message }),
@@ -373,7 +420,7 @@ fn shown(text: &str) -> String {
 }
 
 /// The registers behind the statements that led here.
-fn trail(stepper: &mut Stepper<'_>) -> HashMap<FaultPlace, (u64, u64, u32)> {
+fn trail(stepper: &mut Stepper<'_>) -> Trail {
     let history = &mut stepper.history;
     let here = history.position();
     let from = here.statements.saturating_sub(TRAIL).max(history.first());
@@ -383,7 +430,7 @@ fn trail(stepper: &mut Stepper<'_>) -> HashMap<FaultPlace, (u64, u64, u32)> {
         history.run(Until { statements: here.statements - from, scans: u64::MAX }, &mut trail);
         history.go_to_position(here);
     }
-    trail.seen
+    trail
 }
 
 /// Bytes of inputs, outputs and bit memory of which the program or its symbols name a bit.

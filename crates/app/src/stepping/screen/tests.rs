@@ -145,3 +145,14 @@ fn a_small_terminal_is_asked_to_grow_and_no_size_panics() {
         shown(&[STEP, Command::Help], Language::German, size);
     }
 }
+
+#[test]
+fn the_network_is_shown_as_a_diagram_above_its_statements() {
+    let network = Command::Step(Unit::Network, Direction::Forward);
+    let steps = [network, network, network, STEP, Command::Diagram];
+    insta::assert_snapshot!(shown(&steps, Language::English, (100, 36)));
+    let steps = [network, network, network, STEP, Command::Diagram, Command::Diagram];
+    insta::assert_snapshot!(shown(&steps, Language::German, (100, 36)));
+    let sentence = shown(&[STEP, Command::Diagram], Language::English, (100, 36));
+    assert!(sentence.contains("Stays STL: `L C#25` (line 10)"), "{sentence}");
+}

@@ -112,7 +112,8 @@ impl<'t> Parser<'_, 't> {
     fn pins(&mut self, line: TextLine<'t>, mut pins: Vec<Wired>) -> Vec<Wired> {
         while let Some(next) = self.peek() {
             let Some((name, sign, rest)) = pin_of(next.content) else { break };
-            if next.indent < line.indent {
+            // `ADD => x` below a box of IEC 61131-3 is the next box, unless it is indented like a pin.
+            if next.indent < line.indent || self.flavour == Flavour::Iec && next.indent == line.indent {
                 break;
             }
             self.take(1);
@@ -318,7 +319,7 @@ impl<'t> Parser<'_, 't> {
     fn named(&mut self, this: Boxes<'_, 't>) -> Option<Kind> {
         let written = &this.line.content[this.rest..];
         let start = this.line.start + this.rest;
-        if !is_name(this.word) {
+        if !this.word.split('.').all(is_name) {
             self.pins(this.line, Vec::new());
             let message = format!("`{}` is no element of a diagram", this.line.content);
             self.wrong(

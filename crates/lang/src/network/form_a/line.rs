@@ -85,9 +85,35 @@ fn comment_start(content: &str) -> Option<usize> {
     None
 }
 
+/// A comment of a diagram.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Comment {
+    /// `// …`.
+    pub text: String,
+    /// The first byte of the line that it belongs to; of a line of its own, where it stands.
+    pub line: usize,
+    /// It has a line of its own, and belongs to the next one.
+    pub own_line: bool,
+}
+
+/// The comments in a part of a text.
+pub fn comments(text: &str, from: usize, to: usize) -> Vec<Comment> {
+    let of = |line: TextLine<'_>| {
+        line.comment.map(|comment| Comment { text: comment.to_owned(), line: line.start, own_line: line.content.is_empty() })
+    };
+    lines(text, from, to).into_iter().filter_map(of).collect()
+}
+
 /// The first word of a line's content, and what follows it with its place in the content.
 pub(super) fn first_word(content: &str) -> (&str, usize) {
-    let signs = content.find(|sign: char| !(sign.is_alphanumeric() || matches!(sign, '_' | '<' | '>' | '/'))).unwrap_or(content.len());
+    let is_sign = |sign: char| sign.is_alphanumeric() || matches!(sign, '_' | '<' | '>' | '/');
+    let mut signs = content.find(|sign: char| !is_sign(sign)).unwrap_or(content.len());
+    // A dot goes on in a name: `motor.Start`.
+    while let Some(rest) =
+        content[signs..].strip_prefix('.').filter(|rest| rest.starts_with(|sign: char| sign.is_alphabetic() || sign == '_'))
+    {
+        signs = content.len() - rest.len() + rest.find(|sign: char| !is_sign(sign)).unwrap_or(rest.len());
+    }
     let rest = &content[signs..];
     (&content[..signs], content.len() - rest.trim_start().len())
 }

@@ -7,8 +7,8 @@ mod parse;
 mod print;
 
 pub use layout::format;
-pub use line::written_lines;
-pub use parse::{ELEMENTS_MAX, NESTING_MAX, Parsed, parse};
+pub use line::{Comment, comments, written_lines};
+pub use parse::{NESTING_MAX, Parsed, parse};
 pub use print::print;
 
 #[cfg(test)]

@@ -1,19 +1,17 @@
 //! Form A → a diagram: one element on each line, and what belongs to it indented below.
 
-use super::boxes::Boxes;
+use super::boxes::{Boxes, pin_of};
 use super::line::{TextLine, arguments, first_word, lines, operand, split};
 use crate::network::boxes::COMPARISONS;
 use crate::network::flavour::Flavour;
 use crate::network::mistake::{Mistake, MistakeKind};
 use crate::network::model::{Alone, Branch, Content, End, Kind, Line, Network, Output, OutputKind, Place, Rung, XorInput};
 use crate::network::operand::Operand;
-use crate::network::{rules, words};
+use crate::network::rules::{self, ELEMENTS_MAX};
+use crate::network::words;
 
 /// How deep branches and pins may lie inside each other; STL takes seven levels of brackets.
 pub const NESTING_MAX: usize = 64;
-
-/// How many elements a network may have. A block of STEP 7 has at most 64 Kbyte of code, which is about as many.
-pub const ELEMENTS_MAX: usize = 8192;
 
 /// What was understood of a network, and what was not.
 #[derive(Clone, Debug, Default)]
@@ -33,6 +31,11 @@ pub fn parse(text: &str, from: usize, to: usize, flavour: Flavour) -> Parsed {
     let network = parser.network();
     let mut mistakes = parser.mistakes;
     mistakes.sort_by_key(|mistake| mistake.start);
+    // What is not read would look like open wires.
+    if mistakes.iter().any(|mistake| mistake.kind == MistakeKind::Size) {
+        mistakes.retain(|mistake| mistake.kind == MistakeKind::Size);
+        return Parsed { mistakes, ..Parsed::default() };
+    }
     let mut levels = parser.levels;
     levels.resize(lines.len(), 0);
     Parsed { network, mistakes, levels }
@@ -302,6 +305,9 @@ impl<'t> Parser<'_, 't> {
     fn element(&mut self, before: &mut Line, line: TextLine<'t>, word: &str, rest: usize) {
         let place = Place::new(line.start, line.end());
         let negated = word.starts_with('/');
+        if self.is_operator(line, word, rest) {
+            return self.boxed(before, line, word, rest);
+        }
         let kind = match word {
             "NO" | "NC" => self.only_operand(line, rest).map(|operand| Kind::Contact { operand, negated: word == "NC" }),
             "P" | "N" => self.only_operand(line, rest).map(|operand| match self.flavour {
@@ -342,6 +348,23 @@ impl<'t> Parser<'_, 't> {
         before.extend(kind.map(|kind| kind.at(place)));
     }
 
+    /// AND, OR, XOR and NOT of IEC 61131-3 with pins are boxes over values of any type; alone on their lines they are logic.
+    fn is_operator(&self, line: TextLine<'_>, word: &str, rest: usize) -> bool {
+        let more = line.content[rest..].trim();
+        if self.flavour != Flavour::Iec || !matches!(word, "AND" | "OR" | "XOR" | "NOT") {
+            return false;
+        }
+        let pin_below = || self.peek().is_some_and(|next| next.indent > line.indent && pin_of(next.content).is_some());
+        !more.is_empty() && more != "( )" || pin_below() && !self.is_closed(line.indent, word)
+    }
+
+    /// END closes what a word at this indentation has begun: `ADD => x` in a branch looks like a pin.
+    fn is_closed(&self, indent: usize, word: &str) -> bool {
+        let beside = self.lines.iter().skip(self.at).skip_while(|next| next.indent > indent);
+        let mut beside = beside.filter(|next| next.indent <= indent).map(|next| (next.indent, first_word(next.content).0));
+        beside.find(|&(at, other)| (at, other.trim_start_matches('/')) != (indent, word)) == Some((indent, "END"))
+    }
+
     /// An & box. Without a circle its inputs are a series like any other, unless one of them acts on what stands before it.
     fn and(&mut self, before: &mut Line, line: TextLine<'t>, place: Place, negated: bool) {
         let mut all: Line = Vec::new();
@@ -363,6 +386,13 @@ impl<'t> Parser<'_, 't> {
     fn compare(&mut self, line: TextLine<'_>, rest: usize, negated: bool) -> Option<Kind> {
         let written = &line.content[rest..];
         let signs = written.find(char::is_whitespace).unwrap_or(written.len());
+        if self.flavour == Flavour::Iec {
+            let message = "`CMP` is an element of S7 blocks: a comparison is a box here";
+            self.wrong(
+                Mistake::new(MistakeKind::Word, line.start, line.end(), message).help("write `GT a, 100`: one of EQ NE GT LT GE LE"),
+            );
+            return None;
+        }
         let Some(operation) = COMPARISONS.iter().copied().find(|known| known.eq_ignore_ascii_case(&written[..signs])) else {
             let message = format!("`{}` is no comparison", &written[..signs]);
             self.wrong(

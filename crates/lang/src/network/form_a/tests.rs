@@ -2,6 +2,7 @@
 
 use super::{format, parse, print};
 use crate::network::flavour::{Drawing, Flavour};
+use crate::network::model::{Content, Element, Kind};
 
 /// Networks of STEP 7 in the usual layout.
 const NETWORKS: &[&str] = &[
@@ -80,4 +81,29 @@ fn what_is_too_large_or_too_deep_is_said_and_nothing_overflows() {
     let wide = "NO I 0.0\n".repeat(10_000);
     let parsed = parse(&wide, 0, wide.len(), Flavour::S7);
     assert!(parsed.mistakes.iter().any(|mistake| mistake.message.contains("at most")));
+}
+
+#[test]
+fn an_operator_of_iec_with_pins_is_a_box_and_alone_it_is_logic() {
+    let boxed = ["AND a, b => c\n", "OR\n    IN1 := a\n    IN2 := b\n    OUT => c\n", "XOR IN1 := a, IN2 := b => c\n", "NOT a => c\n"];
+    for text in boxed {
+        let parsed = parse(text, 0, text.len(), Flavour::Iec);
+        assert!(parsed.mistakes.is_empty(), "{text}: {:?}", parsed.mistakes);
+        let Content::Rung(rung) = &parsed.network.content else { panic!("{text}: {:?}", parsed.network) };
+        assert!(matches!(rung.line.as_slice(), [Element { kind: Kind::Named(_), .. }]), "{text}: {rung:?}");
+    }
+    let logic = "AND\n    NO  a\nAND\n    OR\n        NO  b\n    OR\n        NC  c\n    END\nEND\nNOT\nCOIL x\n";
+    let parsed = parse(logic, 0, logic.len(), Flavour::Iec);
+    assert!(parsed.mistakes.is_empty(), "{:?}", parsed.mistakes);
+    let Content::Rung(rung) = &parsed.network.content else { panic!("{:?}", parsed.network) };
+    let kinds: Vec<&Kind> = rung.line.iter().map(|element| &element.kind).collect();
+    assert!(matches!(kinds.as_slice(), [Kind::Contact { .. }, Kind::Parallel { .. }, Kind::Not]), "{kinds:?}");
+}
+
+#[test]
+fn a_comparison_of_iec_is_a_box() {
+    let text = "CMP > a, 10\nCOIL x\n";
+    let parsed = parse(text, 0, text.len(), Flavour::Iec);
+    let mistake = parsed.mistakes.first().expect("CMP is none of IEC");
+    assert_eq!((&text[mistake.start..mistake.end], mistake.help.is_some()), ("CMP > a, 10", true), "{mistake:?}");
 }

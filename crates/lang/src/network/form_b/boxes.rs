@@ -1,6 +1,6 @@
 //! Boxes of form B → elements.
 
-use super::parse::{Left, Parsed, Parser, is_tap, strip_tap};
+use super::parse::{Left, Parsed, Parser, is_tap, takes_left};
 use super::pins::{RawInput, RawPin};
 use crate::network::boxes::{BoxRow, CounterKind, TimerKind};
 use crate::network::model::{Actual, Counter, Kind, Line, NamedBox, NamedInput, Pin, Timer};
@@ -84,7 +84,8 @@ impl Parser<'_> {
         for mut pin in pins {
             // `MW10 => MW12`: what stands before the arrow is an input, unless it is the name of the output.
             if pin.input.is_none() && pin.name.as_deref().is_some_and(|name| name != "OUT") {
-                pin.input = pin.name.take().map(|operand| RawInput::Operand(operand, Line::new()));
+                pin.name = None;
+                pin.input = Some(RawInput::Operand(pin.written.clone(), Line::new()));
             }
             if let Some(input) = pin.input {
                 let Some(operand) = input.operand() else {
@@ -156,7 +157,7 @@ impl Parser<'_> {
         let mut front = Line::new();
         if let Some(pin) = pins.take(power) {
             front = pin.input.and_then(RawInput::line).unwrap_or_default();
-            if left == Left::Line && !strip_tap(&mut front) {
+            if !takes_left(&mut front, left) {
                 return self.scan.wrong_at(pin.from, format!("the line from the left enters `{power}` already; write `.` for it"));
             }
         }
@@ -241,14 +242,15 @@ impl Parser<'_> {
     }
 
     fn named_pin(&mut self, named: &mut NamedBox, mut pin: RawPin, positional: &mut bool) -> Parsed<()> {
-        let only_output = pin.input.is_none() && pin.output.is_some();
+        let only_output = pin.input.is_none() && pin.output.as_ref().is_some_and(|output| *output != ".");
         if only_output
             && let Some(name) = &pin.name
             && (*positional || name.starts_with(|sign: char| sign.is_ascii_digit()))
         {
             // `ADD(a, b => sum)`: after inputs without names the word before the arrow is one of them.
-            let line = vec![Kind::contact(name.clone(), false).at(self.scan.since(pin.from))];
-            pin.input = pin.name.take().map(|operand| RawInput::Operand(operand, line));
+            let line = vec![Kind::contact(pin.written.clone(), false).at(self.scan.since(pin.from))];
+            pin.name = None;
+            pin.input = Some(RawInput::Operand(pin.written.clone(), line));
         }
         *positional |= pin.name.is_none() && pin.input.is_some();
         if let Some(input) = pin.input {
@@ -272,6 +274,9 @@ impl Parser<'_> {
             }
             named.inputs.push(NamedInput { name: pin.name.clone(), negated, line });
             if let Some(output) = pin.output {
+                if output == "." {
+                    return self.scan.wrong_at(pin.from, "the line goes on from one output, which is named: `Q => .`");
+                }
                 named.outputs.push((None, output));
             }
             return Ok(());

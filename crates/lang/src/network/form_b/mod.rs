@@ -8,5 +8,5 @@ mod pins;
 mod print;
 mod scan;
 
-pub use parse::{Wrong, parse};
+pub use parse::parse;
 pub use print::print;

@@ -4,17 +4,19 @@ use super::boxes::is_box_with_operand;
 use super::scan::Scanner;
 use crate::network::boxes::{BoxRow, COMPARISONS, TimerKind};
 use crate::network::flavour::Flavour;
+use crate::network::mistake::{Mistake, MistakeKind};
 use crate::network::model::{Alone, Branch, Content, Element, End, Kind, Line, Network, Output, OutputKind, Rung, XorInput};
 use crate::network::operand::{Operand, STATUS_BITS};
 use crate::network::rules;
+use crate::network::write::reads_tap;
 
 /// What is wrong, and at which byte of the text that the line is part of.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Wrong {
+pub(super) struct Wrong {
     /// The byte.
-    pub at: usize,
+    pub(super) at: usize,
     /// What is expected there.
-    pub message: String,
+    pub(super) message: String,
 }
 
 pub(super) type Parsed<T> = Result<T, Wrong>;
@@ -24,19 +26,25 @@ pub(super) type Parsed<T> = Result<T, Wrong>;
 /// # Errors
 ///
 /// The first thing that is no diagram, with its place.
-pub fn parse(text: &str, offset: usize, flavour: Flavour) -> Parsed<Network> {
+pub fn parse(text: &str, offset: usize, flavour: Flavour) -> Result<Network, Mistake> {
+    let network = syntax(text, offset, flavour).map_err(|wrong| {
+        let sign = wrong.at.checked_sub(offset).and_then(|at| text.get(at..)).and_then(|rest| rest.chars().next());
+        Mistake::new(MistakeKind::Line, wrong.at, wrong.at + sign.map_or(0, char::len_utf8), wrong.message)
+    })?;
+    match rules::mistakes(&network, flavour, None).into_iter().next() {
+        Some(mistake) => Err(mistake),
+        None => Ok(network),
+    }
+}
+
+/// What is written, whether or not it keeps the rules of diagrams.
+fn syntax(text: &str, offset: usize, flavour: Flavour) -> Parsed<Network> {
     let mut parser = Parser { scan: Scanner::new(text, offset, flavour) };
     let network = parser.network()?;
     if !parser.scan.ended() {
         return parser.scan.wrong("the network ends before this");
     }
-    match rules::mistakes(&network, flavour, None).into_iter().next() {
-        Some(mistake) => {
-            let help = mistake.help.map(|help| format!("; {help}")).unwrap_or_default();
-            Err(Wrong { at: mistake.start.max(offset), message: mistake.message + &help })
-        }
-        None => Ok(network),
-    }
+    Ok(network)
 }
 
 /// Whether the line goes on from something to its left.
@@ -44,7 +52,9 @@ pub fn parse(text: &str, offset: usize, flavour: Flavour) -> Parsed<Network> {
 pub(super) enum Left {
     /// Nothing stands there.
     Nothing,
-    /// The tapped line, or an element.
+    /// The tapped line. Written as `.` it stays an element until the whole rung is read.
+    Tap,
+    /// An element.
     Line,
 }
 
@@ -54,22 +64,29 @@ pub(super) struct Parser<'t> {
 
 impl Parser<'_> {
     fn network(&mut self) -> Parsed<Network> {
-        let label = if self.scan.eat_word("LABEL") {
-            let name = self.label()?;
-            self.scan.want(":", "`:` is missing after the name of the label")?;
-            Some(name)
-        } else {
-            None
-        };
+        let label = self.own_label();
         let content = self.content()?;
         Ok(Network { label, content })
     }
 
+    /// `LABEL M001:`; without a colon LABEL is a name like others.
+    fn own_label(&mut self) -> Option<Operand> {
+        let from = self.scan.at;
+        let label = self.scan.eat_word("LABEL").then(|| self.label().ok()).flatten();
+        if label.is_some() && !self.scan.see(":=") && self.scan.eat(":") {
+            return label;
+        }
+        self.scan.at = from;
+        None
+    }
+
     fn content(&mut self) -> Parsed<Content> {
-        if self.scan.ended() || (self.scan.eat_word("empty") && self.scan.eat_word("network")) {
+        self.scan.space();
+        let from = self.scan.at;
+        if self.scan.ended() || (self.scan.eat_word("empty") && self.scan.eat_word("network") && self.scan.ended()) {
             return Ok(Content::Empty);
         }
-        let from = self.scan.at;
+        self.scan.at = from;
         if self.scan.eat("|-")
             && let Some(alone) = self.alone()?
         {
@@ -124,9 +141,13 @@ impl Parser<'_> {
 
     fn rung(&mut self, left: Left) -> Parsed<Rung> {
         self.scan.enter()?;
-        let rung = self.rung_inside(left);
+        let mut rung = self.rung_inside(left)?;
         self.scan.leave();
-        rung
+        if left == Left::Tap && rung.line.get(1..).is_some_and(|rest| !reads_tap(rest)) {
+            // It comes from the left in any case.
+            strip_tap(&mut rung.line);
+        }
+        Ok(rung)
     }
 
     fn rung_inside(&mut self, left: Left) -> Parsed<Rung> {
@@ -150,7 +171,7 @@ impl Parser<'_> {
             if self.scan.eat("{") {
                 let mut rungs = Vec::new();
                 loop {
-                    rungs.push(self.rung(Left::Line)?);
+                    rungs.push(self.rung(Left::Tap)?);
                     if self.scan.eat("}") {
                         return Ok(Rung { line, end: End::Branches(rungs) });
                     }
@@ -175,20 +196,32 @@ impl Parser<'_> {
         }
         let s7 = self.scan.flavour == Flavour::S7;
         if !s7 && self.scan.see("/") {
-            return true;
+            // A circle at an element goes on, `/ x` is a negated coil.
+            let circled = self.scan.rest()[1..].trim_start();
+            return !["#(", "and(", "or(", "xor(", "("].iter().any(|element| circled.starts_with(element));
         }
         let word = self.scan.word();
         let after = self.scan.rest().get(word.len()..).unwrap_or_default();
         let operand = !after.starts_with(['(', '[']);
         match word {
             "S" | "R" | "JMP" | "JMPN" => operand,
-            "SC" | "CU" | "CD" | "CALL" if s7 => operand,
+            "CALL" if s7 => operand && !self.is_call_box(),
+            "SC" | "CU" | "CD" if s7 => operand,
             "P" | "N" if !s7 => operand,
             "RETURN" if !s7 => operand,
             "SAVE" if s7 => operand,
             "RET" => operand,
             other => s7 && TimerKind::of(other).is_some(),
         }
+    }
+
+    /// A call with pins or an instance is a box.
+    fn is_call_box(&mut self) -> bool {
+        let mark = self.scan.at;
+        self.scan.eat_word("CALL");
+        let is_box = self.scan.operand().is_ok() && (self.scan.touches('(') || self.scan.touches(','));
+        self.scan.at = mark;
+        is_box
     }
 
     fn output(&mut self) -> Parsed<Output> {
@@ -236,13 +269,12 @@ impl Parser<'_> {
 
     /// The next part of a line; what acts on a part only stays a group of its own.
     fn part(&mut self, line: &mut Line, left: Left) -> Parsed<()> {
-        let had = left == Left::Line || !line.is_empty();
-        let left = if had { Left::Line } else { Left::Nothing };
+        let left = if line.is_empty() { left } else { Left::Line };
         self.scan.space();
         let from = self.scan.at;
         let bracket = self.scan.see("(");
         let part = self.elements(left)?;
-        if bracket && had && part.iter().any(|one| one.kind.acts_on_line()) {
+        if bracket && left != Left::Nothing && part.iter().any(|one| one.kind.acts_on_line()) {
             line.push(Kind::Group { line: part, negated: false }.at(self.scan.since(from)));
         } else {
             line.extend(part);
@@ -343,6 +375,9 @@ impl Parser<'_> {
             (name, Some('(' | '[')) if !s7 && !name.is_empty() && self.names_a_box(name) => self.named_box(name, from),
             _ => {
                 let operand = self.scan.operand()?;
+                if s7 && operand.starts_with(|sign: char| sign.is_ascii_digit()) {
+                    return self.scan.wrong_at(from, format!("a contact reads a bit, such as `I 0.0`, and `{operand}` is a number"));
+                }
                 self.one(Kind::contact(operand, false), from)
             }
         }
@@ -412,7 +447,7 @@ impl Parser<'_> {
         self.scan.want(",", "`,` and the edge memory bit are missing after the input")?;
         let memory = self.scan.operand()?;
         self.scan.want(")", "`)` is missing after the edge memory bit")?;
-        if left == Left::Line && !strip_tap(&mut line) {
+        if !takes_left(&mut line, left) {
             return self.scan.wrong_at(mark, "the line from the left is not used; write `.` for it: `P(and(., I 0.0), M 1.0)`");
         }
         line.push(Kind::Edge { falling, memory }.at(self.scan.since(from)));
@@ -466,7 +501,7 @@ impl Parser<'_> {
                     if index == 0 && left == Left::Line && is_tap(&input) {
                         continue;
                     }
-                    let had = left == Left::Line || !whole.is_empty();
+                    let had = left != Left::Nothing || !whole.is_empty();
                     if had && input.iter().any(|one| one.kind.acts_on_line()) {
                         whole.push(Kind::Group { line: input, negated: false }.at(place));
                     } else {
@@ -499,8 +534,17 @@ impl Parser<'_> {
     }
 }
 
+/// A box of FBD goes on from what stands to its left, written as `.` in its first input; says whether it does.
+pub(super) fn takes_left(input: &mut Line, left: Left) -> bool {
+    match left {
+        Left::Nothing => true,
+        Left::Tap => reads_tap(input),
+        Left::Line => strip_tap(input),
+    }
+}
+
 /// Takes away the line from the left that a line begins with; says whether it was there.
-pub(super) fn strip_tap(line: &mut Line) -> bool {
+fn strip_tap(line: &mut Line) -> bool {
     let found = line.get(..1).is_some_and(is_tap);
     if found {
         line.remove(0);

@@ -2,13 +2,15 @@
 
 use super::parse::{Parsed, Parser};
 use crate::network::flavour::Flavour;
-use crate::network::model::Line;
+use crate::network::model::{Kind, Line};
 use crate::network::operand::Operand;
 
 /// A pin: `name := logic`, `name := operand`, `name => operand`, or without a name.
 #[derive(Default)]
 pub(super) struct RawPin {
     pub(super) name: Option<Operand>,
+    /// The name as it is written, which may be an operand before an arrow: `"Level" => MW 2`.
+    pub(super) written: Operand,
     /// A circle at the pin.
     pub(super) negated: bool,
     pub(super) input: Option<RawInput>,
@@ -73,7 +75,7 @@ impl Parser<'_> {
         let from = self.scan.at;
         let mut pin = RawPin { from, ..RawPin::default() };
         let circle = self.scan.flavour == Flavour::Iec && self.scan.eat("/");
-        pin.name = self.pin_name();
+        (pin.name, pin.written) = self.pin_name();
         match pin.name {
             Some(_) => pin.negated = circle,
             None => self.scan.at = from,
@@ -83,16 +85,18 @@ impl Parser<'_> {
             pin.input = Some(self.input()?);
         }
         if self.scan.eat("=>") {
-            pin.output = Some(self.scan.operand()?);
+            let goes_on = self.scan.flavour == Flavour::Iec && self.scan.eat(".");
+            pin.output = Some(if goes_on { Operand::from(".") } else { self.scan.operand()? });
         }
         Ok(pin)
     }
 
     /// A word or a name in quotes, if `:=` or `=>` follows.
-    fn pin_name(&mut self) -> Option<Operand> {
+    fn pin_name(&mut self) -> (Option<Operand>, Operand) {
         self.scan.space();
         let from = self.scan.at;
-        let (text, length) = match self.scan.rest().strip_prefix('"').and_then(|rest| rest.split_once('"')) {
+        let rest = self.scan.rest();
+        let (text, length) = match rest.strip_prefix('"').and_then(|rest| rest.split_once('"')) {
             Some((name, _)) => (name, name.len() + 2),
             None => {
                 let word = self.scan.word();
@@ -102,7 +106,8 @@ impl Parser<'_> {
         let start = self.scan.since(from).first;
         self.scan.at = from + length;
         let named = !text.is_empty() && (self.scan.see(":=") || self.scan.see("=>"));
-        named.then(|| Operand { text: text.to_owned(), start: Some(start) })
+        let at_start = |text: &str| Operand { text: text.to_owned(), start: Some(start) };
+        (named.then(|| at_start(text)), at_start(rest.get(..length).unwrap_or_default()))
     }
 
     fn input(&mut self) -> Parsed<RawInput> {
@@ -111,13 +116,13 @@ impl Parser<'_> {
         }
         self.scan.space();
         let from = self.scan.at;
-        let operand = self.scan.operand().ok();
-        let ends = [",", ")", "=>"].iter().any(|sign| self.scan.see(sign));
+        if let Ok(operand) = self.scan.operand() {
+            let contact = Kind::contact(operand.clone(), false).at(self.scan.since(from));
+            if [",", ")", "=>"].iter().any(|sign| self.scan.see(sign)) {
+                return Ok(RawInput::Operand(operand, vec![contact]));
+            }
+        }
         self.scan.at = from;
-        let line = self.branch()?;
-        Ok(match operand {
-            Some(operand) if ends && operand != "." => RawInput::Operand(operand, line),
-            _ => RawInput::Logic(line),
-        })
+        Ok(RawInput::Logic(self.branch()?))
     }
 }

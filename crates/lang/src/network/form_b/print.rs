@@ -79,7 +79,7 @@ impl Printer {
         for Element { kind, .. } in line {
             match kind {
                 Kind::Edge { falling, memory } => {
-                    let before = left.take().unwrap_or_else(|| ".".to_owned());
+                    let before = left.take().unwrap_or_default();
                     left.value = Some(format!("{}({before}, {memory})", if *falling { "N" } else { "P" }));
                 }
                 Kind::Not => {
@@ -93,7 +93,7 @@ impl Printer {
                             let power = before.take_if(|before| !before.contains("->")).map(|before| format!("{pin} := {before}"));
                             self.with_pin(kind, power)
                         }
-                        None => self.element(kind),
+                        None => self.in_chain(kind),
                     };
                     left.value = Some(before.map(|before| before + " -> ").unwrap_or_default() + &text);
                 }
@@ -101,6 +101,14 @@ impl Printer {
             }
         }
         left.take().unwrap_or_default()
+    }
+
+    /// After an arrow a call without pins would be a coil.
+    fn in_chain(&self, kind: &Kind) -> String {
+        match kind {
+            Kind::Call { instance: None, pins, .. } if pins.is_empty() => self.element(kind).trim_end_matches("()").to_owned() + "()",
+            _ => self.element(kind),
+        }
     }
 
     fn element(&self, kind: &Kind) -> String {
@@ -207,16 +215,23 @@ impl Printer {
 
     fn named(&self, named: &NamedBox) -> String {
         let mut pins: Vec<String> = named.power.iter().map(|pin| format!("{pin} := .")).collect();
+        let outputs = named.outputs.iter().map(|(name, output)| match name {
+            Some(name) => format!("{name} => {output}"),
+            None => format!("=> {output}"),
+        });
+        // After an input without a name the name of an output would be the next input.
+        let (first, last): (Vec<_>, Vec<_>) = match named.inputs.iter().any(|input| input.name.is_none()) {
+            true => outputs.partition(|pin: &String| !pin.starts_with("=>")),
+            false => (Vec::new(), outputs.collect()),
+        };
+        pins.extend(first);
         for input in &named.inputs {
             let line = self.inside(&input.line);
             let line = if input.negated && input.line.len() > 1 { format!("({line})") } else { line };
             let name = input.name.as_ref().map(|name| format!("{name} := ")).unwrap_or_default();
             pins.push(format!("{name}{}{line}", slash(input.negated)));
         }
-        for (name, output) in &named.outputs {
-            let name = name.as_ref().map(|name| format!("{name} ")).unwrap_or_default();
-            pins.push(format!("{name}=> {output}"));
-        }
+        pins.extend(last);
         pins.extend(named.flow.iter().map(|pin| format!("{pin} => .")));
         let instance = named.instance.as_ref().map(|instance| format!("[{instance}]")).unwrap_or_default();
         format!("{}{instance}({})", named.name, pins.join(", "))
@@ -232,13 +247,13 @@ struct Left {
 }
 
 impl Left {
-    /// All of it as one value; nothing if it is the bare line from the left.
+    /// All of it as one value.
     fn take(&mut self) -> Option<String> {
         let mut inputs = std::mem::take(&mut self.inputs);
         let before = self.value.take();
         let taps = std::mem::take(&mut self.taps);
         if inputs.is_empty() {
-            return before;
+            return before.or(taps.then(|| ".".to_owned()));
         }
         if before.is_some() || taps {
             inputs.insert(0, ".".to_owned());

@@ -81,7 +81,7 @@ impl<'t> Scanner<'t> {
     pub(super) fn word(&mut self) -> &'t str {
         self.space();
         let rest = self.rest();
-        let dots = self.flavour == Flavour::Iec;
+        let dots = self.flavour == Flavour::Iec && !rest.starts_with('.');
         let end = rest.find(|sign: char| !(sign.is_alphanumeric() || sign == '_' || (dots && sign == '.'))).unwrap_or(rest.len());
         rest.get(..end).unwrap_or_default()
     }
@@ -109,7 +109,8 @@ impl<'t> Scanner<'t> {
         self.space();
         let from = self.at;
         self.operand_part()?;
-        if self.at == from {
+        if self.at == from || self.text.get(from..self.at) == Some(".") {
+            self.at = from;
             return self.wrong("an operand is missing here");
         }
         let mut address = true;

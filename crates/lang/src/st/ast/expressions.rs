@@ -1,6 +1,6 @@
 //! Expressions: operators, calls, addresses, constants.
 
-use super::{Name, Path};
+use super::{Name, Path, Wire};
 use sieben_model::literal::Value;
 use sieben_model::source::Span;
 
@@ -56,6 +56,8 @@ pub enum ExpressionKind {
     Parenthesized(Box<Expression>),
     /// `(a := b)` inside an expression (codesys).
     Assign(Box<Expression>, Box<Expression>),
+    /// The value of a wire of a diagram.
+    Wire(Wire),
     /// Not understood; a diagnostic was given.
     Missing,
 }

@@ -1,6 +1,6 @@
 //! Statements.
 
-use super::{Expression, Name};
+use super::{DiagramBox, Expression, Name, Wire};
 use sieben_model::source::Span;
 
 /// One statement.
@@ -88,6 +88,10 @@ pub enum StatementKind {
         /// The statements behind `__FINALLY`.
         finally: Vec<Statement>,
     },
+    /// A value of a diagram that is evaluated here, once, for all that read it.
+    Wire(Wire, Expression),
+    /// A box of a diagram.
+    Box(Box<DiagramBox>),
     /// Not understood; a diagnostic was given.
     Missing,
 }

@@ -534,7 +534,10 @@ impl Checker<'_> {
         let loops = std::mem::take(&mut self.loops);
         // Lists of statements are counted for labels, and an action has none.
         let (lists, next) = (std::mem::take(&mut self.lists), self.next_list);
+        let (wires, held) = (std::mem::take(&mut self.wires), self.locals.enter());
         let body = self.statements(&action.body);
+        self.locals.leave(held);
+        self.wires = wires;
         (self.lists, self.next_list) = (lists, next);
         self.loops = loops;
         self.inside_actions.pop();

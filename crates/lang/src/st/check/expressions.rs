@@ -59,6 +59,7 @@ impl Checker<'_> {
             | ExpressionKind::Index(..)
             | ExpressionKind::Dereference(_)
             | ExpressionKind::Slice(..)
+            | ExpressionKind::Wire(_)
             | ExpressionKind::DataAddress(_) => match self.reach(expression) {
                 Reached::Target(target) => self.load(target),
                 Reached::Other(typed) => typed,

@@ -62,7 +62,7 @@ impl Checker<'_> {
     }
 
     /// Statements that are done if EN is TRUE, else the others, and what ENO tells of them.
-    fn around(
+    pub(super) fn around(
         &mut self,
         enable: Option<Value>,
         eno: Option<Target>,

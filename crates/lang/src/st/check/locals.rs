@@ -9,6 +9,8 @@ use crate::st::tree::{Base, Place};
 pub(super) struct Locals {
     /// Bytes of the declared variables.
     declared: u32,
+    /// One behind the last byte that wires of the network take.
+    held: u32,
     /// Where the next value goes.
     next: u32,
     /// One behind the last byte that was ever used.
@@ -19,7 +21,7 @@ impl Locals {
     /// Behind so many bytes of declared variables.
     pub(super) fn new(declared: u32) -> Self {
         let declared = declared.next_multiple_of(2);
-        Self { declared, next: declared, end: declared }
+        Self { declared, held: declared, next: declared, end: declared }
     }
 
     /// A place for so many bytes.
@@ -30,9 +32,35 @@ impl Locals {
         Place { base: Base::Area(Area::Local), offset, indexes: Vec::new(), span }
     }
 
-    /// The next statement may use all of it again.
+    /// A place that the next statements leave alone.
+    pub(super) fn hold(&mut self, bytes: u32, span: Span) -> Place {
+        let place = self.place(bytes, span);
+        self.held = self.next;
+        place
+    }
+
+    /// The next statement may use all of it again, but what is held.
     pub(super) fn release(&mut self) {
-        self.next = self.declared;
+        self.next = self.held;
+    }
+
+    /// What is held is needed no more.
+    pub(super) fn let_go(&mut self) {
+        self.held = self.declared;
+        self.release();
+    }
+
+    /// Statements begin that stand inside of another one: what is held so far stays. What they were is for [`Self::leave`].
+    pub(super) fn enter(&mut self) -> (u32, u32) {
+        let outer = (self.declared, self.held);
+        (self.declared, self.held) = (self.next, self.next);
+        outer
+    }
+
+    /// The statements have ended.
+    pub(super) fn leave(&mut self, outer: (u32, u32)) {
+        (self.declared, self.held) = outer;
+        self.release();
     }
 
     /// Bytes that the block needs.

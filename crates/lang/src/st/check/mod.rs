@@ -4,6 +4,7 @@ mod arguments;
 mod as_bytes;
 mod calls;
 pub mod construct;
+mod diagrams;
 mod expressions;
 mod flow;
 mod functions;
@@ -166,6 +167,7 @@ impl<'a> Checker<'a> {
             told: HashSet::new(),
             outside: HashSet::new(),
             inside_actions: Vec::new(),
+            wires: HashMap::new(),
             words: BTreeMap::new(),
             writes: BTreeMap::new(),
         }
@@ -227,6 +229,8 @@ struct Checker<'a> {
     outside: HashSet<String>,
     /// The actions whose statements stand here.
     inside_actions: Vec<usize>,
+    /// What the wires of the network carry.
+    wires: HashMap<ast::Wire, diagrams::Carried>,
     /// The words of tests, by the first byte of their place.
     words: BTreeMap<u32, WordCall>,
     /// What a test writes, by the first byte of the place.

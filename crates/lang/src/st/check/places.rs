@@ -55,6 +55,7 @@ impl Checker<'_> {
             ExpressionKind::Dereference(base) => self.dereference(base, span),
             ExpressionKind::Slice(base, slice) => self.slice(base, slice, span),
             ExpressionKind::Parenthesized(inner) => self.reach(inner),
+            ExpressionKind::Wire(wire) => self.of_wire(*wire, span),
             ExpressionKind::This => match self.this(span) {
                 Some(target) => Reached::Target(target),
                 None => POISON,

@@ -106,6 +106,8 @@ impl Checker<'_> {
             Kinds::Return => Some(StatementKind::Return),
             Kinds::Goto(name) => self.jump(name),
             Kinds::Label(name) => self.labels.get(&name.key()).map(|label| StatementKind::Label(label.number)),
+            Kinds::Wire(wire, value) => self.wire(*wire, value, span),
+            Kinds::Box(one) => self.diagram_box(one, span),
             Kinds::Region { body, .. } => Some(StatementKind::Block(self.statements(body))),
             Kinds::Try { body, catch, finally, .. } => {
                 self.not_built(Span { end: span.start + 5, ..span }, "__TRY");
@@ -663,5 +665,8 @@ pub(super) fn mentions_ok(block: &Block<'_>) -> bool {
     };
     walk::expressions(block.body, &mut see);
     block.actions.iter().for_each(|action| walk::expressions(&action.body, &mut see));
+    let mut see = |statement: &ast::Statement| found |= super::diagrams::asks_eno(statement);
+    walk::statements(block.body, &mut see);
+    block.actions.iter().for_each(|action| walk::statements(&action.body, &mut see));
     found
 }

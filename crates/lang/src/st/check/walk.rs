@@ -48,6 +48,8 @@ pub(crate) fn expressions(statements: &[Statement], see: &mut dyn FnMut(&Express
                 exception.iter().for_each(|value| expression(value, see));
                 [body, catch, finally].into_iter().for_each(|body| expressions(body, see));
             }
+            StatementKind::Wire(_, value) => expression(value, see),
+            StatementKind::Box(one) => one.expressions().for_each(|value| expression(value, see)),
             StatementKind::Empty
             | StatementKind::Exit
             | StatementKind::Continue
@@ -87,6 +89,8 @@ pub(super) fn statements(list: &[Statement], see: &mut dyn FnMut(&Statement)) {
             | StatementKind::Return
             | StatementKind::Goto(_)
             | StatementKind::Label(_)
+            | StatementKind::Wire(..)
+            | StatementKind::Box(_)
             | StatementKind::Missing => {}
         }
     }
@@ -124,6 +128,7 @@ pub(super) fn expression(outer: &Expression, see: &mut dyn FnMut(&Expression)) {
         | ExpressionKind::EnumValue { .. }
         | ExpressionKind::This
         | ExpressionKind::Super
+        | ExpressionKind::Wire(_)
         | ExpressionKind::Missing => {}
     }
 }

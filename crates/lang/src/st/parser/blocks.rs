@@ -191,7 +191,9 @@ impl Parser<'_> {
         // TIA Portal writes attributes before the header, some write them behind it.
         let attributes = self.take_attributes_before(self.here());
         block.attributes.extend(attributes);
+        self.begin_diagrams_of(&block);
         self.block_parts(&mut block, Some(end));
+        self.end_diagrams_of(&mut block);
         let last = self.token();
         self.block_end(end, token.start, what);
         block.end = self.span(last.start.min(self.previous), self.previous);
@@ -293,6 +295,7 @@ impl Parser<'_> {
                     self.eat(Raw::Semicolon, SyntaxKind::Semicolon);
                 }
                 Some(_) if self.at_body_end() => self.stray(),
+                _ if token.raw == Raw::DiagramWord => self.diagram_of(block),
                 _ if self.begins_lost_declarations(&block.body) => {
                     let section = self.lost_section();
                     block.sections.push(section);
@@ -384,7 +387,9 @@ impl Parser<'_> {
         self.awaited.clear();
         let statements = block.body.len();
         let sections = block.sections.len();
+        self.begin_diagrams_of(&block);
         self.block_parts(&mut block, None);
+        self.end_diagrams_of(&mut block);
         if self.at == before {
             self.unexpected_here();
         }

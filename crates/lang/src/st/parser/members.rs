@@ -111,7 +111,9 @@ impl Parser<'_> {
             _ => None,
         });
         if let Some(block) = owner {
+            self.begin_diagrams_of(block);
             self.member(block, keyword);
+            self.end_diagrams_of(block);
             return;
         }
         let token = self.token();
@@ -151,7 +153,9 @@ impl Parser<'_> {
             false => None,
         };
         self.eat(Raw::Semicolon, SyntaxKind::Semicolon);
+        let owner = self.owner.take();
         let (sections, body) = self.sections_and_body();
+        self.owner = owner;
         let last = self.token();
         self.block_end(Keyword::EndMethod, token.start, "METHOD");
         let end = self.span(last.start.min(self.previous), self.previous);
@@ -177,6 +181,7 @@ impl Parser<'_> {
                     sections.push(section);
                 }
                 _ if self.at_body_end() => return (sections, body),
+                _ if self.raw() == Raw::DiagramWord => self.diagram_into(&mut body, &mut Vec::new()),
                 _ if self.begins_lost_declarations(&body) => {
                     let section = self.lost_section();
                     sections.push(section);

@@ -8,6 +8,7 @@ mod addresses;
 mod blocks;
 mod configuration;
 mod declarations;
+mod diagrams;
 mod expressions;
 mod header;
 mod lost;
@@ -24,6 +25,7 @@ use std::collections::HashSet;
 use std::ops::Range;
 
 pub(in crate::st) use declarations::name_is_lost;
+pub(in crate::st) use diagrams::fragment;
 
 use rowan::{GreenNode, GreenNodeBuilder};
 use sieben_model::diagnostic::Diagnostic;
@@ -31,6 +33,7 @@ use sieben_model::problems::Problem;
 use sieben_model::source::{FileId, Span};
 
 use super::ast;
+use super::diagrams::EdgeMemory;
 use super::dialect::{Construct, Dialect, Judgement};
 use super::keywords::Keyword;
 use super::lexer::{Raw, Token, is_terminated, quotes_names, straightened, tokens, typeset_sign};
@@ -118,30 +121,8 @@ pub fn parse(file: FileId, text: &str, dialect: Dialect) -> Parsed {
     ends_without_underline(file, text, &mut tokens, dialect, &mut diagnostics);
     else_if_in_one_word(file, text, &mut tokens, &mut diagnostics);
     typeset(file, text, &tokens, &mut diagnostics);
-    let mut parser = Parser {
-        text,
-        file,
-        dialect,
-        at: 0,
-        emitted: 0,
-        previous: 0,
-        events: Vec::with_capacity(tokens.len() * 2),
-        tokens,
-        wraps: Vec::new(),
-        diagnostics: std::mem::take(&mut diagnostics),
-        reported: usize::MAX,
-        noted: HashSet::new(),
-        declared: HashSet::new(),
-        only_names: false,
-        labels: HashSet::new(),
-        pragmas: Vec::new(),
-        awaited: Vec::new(),
-        else_ifs: Vec::new(),
-        member_end: None,
-        refused: Vec::new(),
-        depth: 0,
-        too_high: false,
-    };
+    let mut parser = Parser::new(file, text, dialect, tokens);
+    parser.diagnostics = diagnostics;
     parser.skip_trivia();
     let mut items = parser.items(None);
     parser.flush();
@@ -224,10 +205,14 @@ pub fn fuzz(data: &[u8]) {
     }
 }
 
-/// The texts of all tokens but blanks and line ends.
+/// The texts of all tokens but blanks and line ends; those of diagrams without any blanks.
 fn significant(text: &str, dialect: Dialect) -> Vec<String> {
     let tokens = tokens(text, dialect).into_iter().filter(|token| !matches!(token.raw, Raw::Blank | Raw::Newline));
-    tokens.map(|token| text[token.start as usize..token.end as usize].trim_end().to_owned()).collect()
+    let shown = |token: Token| match (token.raw, &text[token.start as usize..token.end as usize]) {
+        (Raw::Diagram, networks) => networks.split_whitespace().collect(),
+        (_, other) => other.trim_end().to_owned(),
+    };
+    tokens.map(shown).collect()
 }
 
 struct Parser<'t> {
@@ -264,6 +249,10 @@ struct Parser<'t> {
     member_end: Option<(Range<usize>, Option<Keyword>)>,
     /// Keywords that were refused as names: what uses them says nothing new.
     refused: Vec<Keyword>,
+    /// The block whose instance remembers what the edges of diagrams need.
+    owner: Option<String>,
+    /// What the diagrams of the current block need.
+    edges: Vec<EdgeMemory>,
     depth: usize,
     /// An expression of the current statement was too high.
     too_high: bool,
@@ -274,6 +263,35 @@ struct Parser<'t> {
 struct Checkpoint(u32);
 
 impl<'t> Parser<'t> {
+    fn new(file: FileId, text: &'t str, dialect: Dialect, tokens: Vec<Token>) -> Self {
+        Parser {
+            text,
+            file,
+            dialect,
+            at: 0,
+            emitted: 0,
+            previous: 0,
+            events: Vec::with_capacity(tokens.len() * 2),
+            tokens,
+            wraps: Vec::new(),
+            diagnostics: Vec::new(),
+            reported: usize::MAX,
+            noted: HashSet::new(),
+            declared: HashSet::new(),
+            only_names: false,
+            labels: HashSet::new(),
+            pragmas: Vec::new(),
+            awaited: Vec::new(),
+            else_ifs: Vec::new(),
+            member_end: None,
+            refused: Vec::new(),
+            owner: None,
+            edges: Vec::new(),
+            depth: 0,
+            too_high: false,
+        }
+    }
+
     // The current token.
 
     fn token(&self) -> Token {

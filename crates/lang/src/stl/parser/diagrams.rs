@@ -92,10 +92,7 @@ impl Parser<'_> {
             first = false;
             match form_b::parse(&line, line_start, Flavour::S7) {
                 Ok(network) => self.network_of(block, &network, drawing, Read::Whole),
-                Err(wrong) => {
-                    let end = (wrong.at + self.text[wrong.at..].chars().next().map_or(0, char::len_utf8)).min(self.text.len());
-                    self.mistake(Mistake::new(MistakeKind::Word, wrong.at, end, wrong.message), drawing, block);
-                }
+                Err(mistake) => self.mistake(mistake, drawing, block),
             }
         }
     }
@@ -131,6 +128,7 @@ impl Parser<'_> {
             MistakeKind::Position => Problem::P2406,
             MistakeKind::OnlyFbd => Problem::P2407,
             MistakeKind::Size => Problem::P2408,
+            MistakeKind::Line => Problem::P2409,
         };
         let message = format!("{} network {}: {}", drawing.word(), block.networks.len().max(1), mistake.message);
         let diagnostic = Diagnostic::new(problem, self.span(mistake.start, mistake.end), message);
@@ -159,7 +157,16 @@ impl Parser<'_> {
     }
 
     fn statement_of(&mut self, statement: &Statement, read: &mut Operands) -> ast::Statement {
-        let span = self.span(statement.place.first as usize, statement.place.last as usize);
+        // Of a network that has only a label its statement stands where the label does.
+        let labelled = statement
+            .label
+            .as_ref()
+            .filter(|_| statement.place.last == 0)
+            .and_then(|label| Some((label.start? as usize, label.text.len())));
+        let span = match labelled {
+            Some((start, length)) => self.span(start, start + length),
+            None => self.span(statement.place.first as usize, statement.place.last as usize),
+        };
         let label = statement.label.as_ref().map(|label| self.label_word(label, span));
         let word = match self.mnemonics {
             Mnemonics::English => statement.mnemonic,
@@ -290,7 +297,7 @@ fn is_form_a(text: &str) -> bool {
     }
     let signs = line.find(|sign: char| !(sign.is_alphanumeric() || matches!(sign, '_' | '<' | '>' | '/'))).unwrap_or(line.len());
     let (word, rest) = line.split_at(signs);
-    if line.starts_with("|-") || line.contains("->") || rest.starts_with('(') && !word.is_empty() {
+    if line.starts_with("|-") || line.contains("->") || rest.starts_with(['(', '[']) && !word.is_empty() {
         return false;
     }
     if word == "LABEL" {

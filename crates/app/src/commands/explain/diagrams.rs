@@ -1,0 +1,113 @@
+//! `sieben explain NO`: elements of diagrams, why a network is not drawn (`R-TWO`), and what is rewritten (`W3`).
+
+use sieben_lang::network::boxes::{BoxRow, CounterKind, TimerKind};
+use sieben_lang::network::elements::ElementRow;
+use sieben_lang::network::reasons::{Reason, Rewrite};
+use sieben_lang::stl::instructions::Instruction;
+use sieben_model::problems::Problem;
+
+/// An element by its word in form A, which is also the name of a box.
+pub(super) fn element(word: &str) -> Option<String> {
+    let word = word.to_ascii_uppercase();
+    let plain = ElementRow::of(&word).map(plain);
+    let boxed = BoxRow::of_name(&word).map(with_enable);
+    let timer = TimerKind::ALL.iter().find(|row| row.2 == word).map(|row| timer(row.0));
+    let counter = CounterKind::ALL.iter().find(|row| row.1 == word).map(|row| counter(row.0));
+    plain.or(boxed).or(timer).or(counter)
+}
+
+fn plain(row: &ElementRow) -> String {
+    let drawn = if row.sign.is_empty() { String::new() } else { format!("  drawn       {}\n", row.sign) };
+    let statements = if row.statements.is_empty() { String::new() } else { format!("  statements  {}\n", row.statements) };
+    format!("{}, an element of LAD and FBD\n  {}\n{drawn}{statements}", row.word, row.sentence)
+}
+
+/// What an instruction does, from its row.
+fn doc(instruction: &str) -> &'static str {
+    Instruction::ALL.iter().find(|row| row.english() == instruction).map_or("", |row| row.doc())
+}
+
+fn with_enable(row: &BoxRow) -> String {
+    let sentence = match row.instruction {
+        "" => "Copies IN to OUT, also between operands of different widths.".to_owned(),
+        instruction => format!("Stands for `{instruction}`: {}", doc(instruction)),
+    };
+    let width = |bits: &u8| if *bits == 0 { "any width".to_owned() } else { format!("{bits} bits") };
+    let names = row.inputs.iter().copied().chain(["OUT"]);
+    let pins: Vec<String> = names.zip(row.widths).map(|(name, bits)| format!("{name} ({})", width(bits))).collect();
+    let eno = if row.overflows { "0 if the result left its range, or if EN is 0" } else { "as EN" };
+    format!("{}, a box of LAD and FBD with EN and ENO\n  {sentence}\n  pins        {}\n  ENO         {eno}\n", row.name, pins.join(", "))
+}
+
+fn timer(kind: TimerKind) -> String {
+    format!(
+        "{}, a timer box of LAD and FBD\n  Stands for `{}`: {}\n  pins        S (the line), TV, R, BI, BCD, Q\n",
+        kind.box_name(),
+        kind.instruction(),
+        doc(kind.instruction())
+    )
+}
+
+fn counter(kind: CounterKind) -> String {
+    let (counts, pins) = match kind {
+        CounterKind::Up => ("up", "CU (the line)"),
+        CounterKind::Down => ("down", "CD (the line)"),
+        CounterKind::UpDown => ("up and down", "CU (the line), CD"),
+    };
+    format!(
+        "{}, a counter box of LAD and FBD\n  Counts {counts} between 0 and 999; S sets it to PV, R to 0, and Q is 1 unless it is 0.\n  \
+         pins        {pins}, S, PV, R, CV, CV_BCD, Q\n",
+        kind.box_name()
+    )
+}
+
+/// `R-TWO`: the problem that a reason is.
+pub(super) fn reason(word: &str) -> Option<Problem> {
+    let reason = Reason::ALL.iter().find(|reason| reason.code().eq_ignore_ascii_case(word))?;
+    Problem::from_code(&format!("P{}", reason.problem()))
+}
+
+/// `W3`: what a rewrite changes.
+pub(super) fn rewrite(word: &str) -> Option<String> {
+    let rewrite = Rewrite::ALL.iter().find(|rewrite| rewrite.code().eq_ignore_ascii_case(word))?;
+    let other = "  A rewrite keeps what the network does; `sieben convert --to lad --rewrite` applies it.\n";
+    Some(format!("{}, a rewrite of networks that are drawn\n  {}\n{other}", rewrite.code(), rewrite.sentence()))
+}
+
+/// All words, for suggestions.
+pub(super) fn words() -> impl Iterator<Item = &'static str> {
+    let elements = sieben_lang::network::elements::ELEMENTS.iter().map(|row| row.word);
+    let boxes = sieben_lang::network::boxes::BOXES.iter().map(|row| row.name);
+    let codes = Reason::ALL.iter().map(|reason| reason.code()).chain(Rewrite::ALL.iter().map(|rewrite| rewrite.code()));
+    elements.chain(boxes).chain(codes)
+}
+
+#[cfg(test)]
+mod tests {
+    use sieben_lang::network::words::{COILS, COILS_IEC, ELEMENTS, OTHERS};
+
+    use super::*;
+
+    #[test]
+    fn every_word_of_a_diagram_is_explained() {
+        for word in ELEMENTS.iter().chain(&COILS).chain(&COILS_IEC).chain(&OTHERS).chain(&["SR", "RS", "CALL"]) {
+            assert!(element(word).is_some(), "{word}");
+        }
+        for row in sieben_lang::network::boxes::BOXES {
+            let text = element(row.name).unwrap_or_default();
+            assert!(!text.contains(": \n"), "{} has no sentence", row.name);
+        }
+        for row in sieben_lang::network::elements::ELEMENTS {
+            let known = [&ELEMENTS[..], &COILS[..], &COILS_IEC[..], &OTHERS[..], &["SR", "RS", "CALL"][..]].concat();
+            assert!(known.contains(&row.word), "{} begins no line", row.word);
+        }
+    }
+
+    #[test]
+    fn every_reason_has_its_problem() {
+        for reason in Reason::ALL {
+            let problem = super::reason(reason.code()).unwrap_or_else(|| panic!("{reason}"));
+            assert!(problem.title().contains(reason.code()), "{reason}: {}", problem.title());
+        }
+    }
+}

@@ -1,0 +1,102 @@
+//! What stands in the sources of blocks: titles, comments, networks with their statements, and each network as a diagram.
+
+use sieben_lang::network::model::Network;
+use sieben_lang::network::read::{Answer, Mode};
+use sieben_lang::network::reasons::Refusal;
+use sieben_lang::network::statement::Statement;
+use sieben_lang::network::to_lad::to_lad;
+use sieben_lang::stl::ast::Word;
+use sieben_lang::stl::diagrams::DrawnNetwork;
+use sieben_lang::stl::redraw::SourceBlock;
+
+use super::{Blocks, CodeBlock, Written, sources};
+use crate::project::Build;
+
+/// The blocks of STL of the user, with what stands in their sources.
+pub(crate) fn blocks(build: &Build) -> Blocks {
+    let mut blocks = Blocks::new();
+    for (_, source) in sources(build) {
+        for block in source.blocks(Mode::Strict) {
+            blocks.insert(block.id, code_block(block, source.text));
+        }
+    }
+    blocks
+}
+
+fn some(text: &str) -> Option<String> {
+    Some(text.trim().to_owned()).filter(|text| !text.is_empty())
+}
+
+fn code_block(block: SourceBlock, text: &str) -> CodeBlock {
+    let header = &block.header;
+    let rows = [("Author", &header.author), ("Family", &header.family), ("Name", &header.name), ("Version", &header.version)];
+    let row = |(name, value): (&str, &Option<Word>)| Some((name.to_owned(), value.as_ref()?.text.clone()));
+    CodeBlock {
+        title: header.title.as_ref().and_then(|title| some(&title.text)),
+        comment: some(&header.comment),
+        header: rows.into_iter().filter_map(row).collect(),
+        networks: block.networks.into_iter().map(|network| written(network, text)).collect(),
+    }
+}
+
+fn written(network: DrawnNetwork, text: &str) -> Written {
+    let as_text = statements_text(&network, text);
+    let read = match network.answer {
+        Answer::Exact(ref drawn) => Ok(drawn.clone()),
+        Answer::Equivalent(ref reading, None) => Ok(reading.networks.first().cloned().unwrap_or_default()),
+        Answer::Equivalent(_, Some(ref refusal)) | Answer::No(ref refusal) => Err(reason(&network, refusal, text)),
+    };
+    Written {
+        number: network.number,
+        title: some(&network.title),
+        comment: some(&network.comment),
+        numbers: network.numbers,
+        statements: network.statements,
+        spans: network.spans,
+        read,
+        text: as_text,
+    }
+}
+
+/// Why a network stays STL: the statement, its line, what is in the way, and what to do about it.
+fn reason(network: &DrawnNetwork, refusal: &Refusal, text: &str) -> String {
+    let fix = refusal.reason.fix();
+    let fix = if fix.is_empty() { String::new() } else { format!("; {fix}") };
+    let (Some(statement), Some(span)) = (network.statements.get(refusal.statement), network.spans.get(refusal.statement)) else {
+        return format!("{}{fix}", refusal.message());
+    };
+    let line = text.bytes().take(span.start as usize).filter(|byte| *byte == b'\n').count() + 1;
+    let said = format!("{} {}", statement.mnemonic, statement.operand);
+    format!("`{}` (line {line}): {}{fix}", said.trim_end(), refusal.message())
+}
+
+/// The network as ladder can show it.
+pub(super) fn for_ladder(network: &Network) -> Result<Network, String> {
+    let fixed = |refusal: Refusal| match refusal.reason.fix() {
+        "" => refusal.message(),
+        fix => format!("{}; {fix}", refusal.message()),
+    };
+    to_lad(network).map(|(network, _)| network).map_err(fixed)
+}
+
+/// The statements of a network: as the source has them, with its comments, or those that a diagram stands for.
+fn statements_text(network: &DrawnNetwork, text: &str) -> String {
+    if network.drawing.is_some() {
+        return network.statements.iter().map(line).collect::<Vec<_>>().join("\n");
+    }
+    if network.statements.is_empty() {
+        return String::new();
+    }
+    let (first, last) = (network.body.start as usize, network.body.end as usize);
+    let begin = text.get(..first).and_then(|before| before.rfind('\n')).map_or(0, |at| at + 1);
+    let end = text.get(last..).and_then(|after| after.find('\n')).map_or(text.len(), |at| last + at);
+    text.get(begin..end).unwrap_or_default().trim_end().to_owned()
+}
+
+fn line(one: &Statement) -> String {
+    let label = one.label.as_ref().map(|label| format!("{label}:")).unwrap_or_default();
+    let instance = one.instance.as_ref().map(|instance| format!(", {instance}")).unwrap_or_default();
+    let parameters: Vec<String> = one.parameters.iter().map(|one| format!("{} := {}", one.name, one.actual)).collect();
+    let parameters = if parameters.is_empty() { String::new() } else { format!(" ({})", parameters.join(", ")) };
+    format!("{label:<6}{:<5} {}{instance}{parameters}", one.mnemonic, one.operand).trim_end().to_owned() + ";"
+}

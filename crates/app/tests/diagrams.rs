@@ -1,0 +1,134 @@
+//! Networks in another form, as users ask for it: `convert --to`.
+
+mod command;
+
+use command::Folder;
+use serde_json::Value;
+
+/// A block with a network of each answer: exact, equivalent, none, and one that is a diagram already.
+const SOURCE: &str = "\
+FUNCTION FC 1 : VOID
+VAR_TEMP
+  t : BOOL;
+END_VAR
+BEGIN
+NETWORK
+TITLE = Pump
+// self-holding
+      A(    ;
+      O     I 0.0;                      // the button
+      O     Q 4.0;
+      )     ;
+      AN    I 0.1;
+      =     Q 4.0;
+NETWORK
+TITLE = Copy
+      L     MW 10;
+      T     MW 12;
+NETWORK
+      L     MW 10;
+      LAR1  ;
+NETWORK LAD
+    NO    I 0.2
+    COIL  Q 4.1  // lamp
+END_FUNCTION
+ORGANIZATION_BLOCK OB 1
+BEGIN
+NETWORK
+      CALL  FC 1;
+      NOP   0;
+END_ORGANIZATION_BLOCK
+";
+
+#[test]
+fn what_can_be_drawn_is_drawn_and_everything_else_keeps_its_bytes() {
+    let folder = Folder::with(&[("main.awl", SOURCE)]);
+    let run = folder.run(&["convert", "main.awl", "--to", "lad"]);
+    assert_eq!(run.code, Some(0), "{}", run.stderr);
+    let drawn = SOURCE.replace(
+        "NETWORK\nTITLE = Pump\n// self-holding\n      A(    ;\n      O     I 0.0;                      // the button\n      O     Q 4.0;\n      )     ;\n      AN    I 0.1;\n      =     Q 4.0;\n",
+        "NETWORK LAD\nTITLE = Pump\n// self-holding\n    OR\n        NO  I 0.0  // the button\n    OR\n        NO  Q 4.0\n    END\n    NC    I 0.1\n    COIL  Q 4.0\n",
+    );
+    let drawn = drawn.replace("NETWORK\n      CALL  FC 1;\n      NOP   0;\n", "NETWORK LAD\n    CALL FC 1\n");
+    assert_eq!(run.stdout, drawn);
+    assert!(run.stderr.contains("FC 1, network 2 stays") && run.stderr.contains("`--rewrite` draws it (W1)"), "{}", run.stderr);
+    assert!(run.stderr.contains("FC 1, network 3 stays STL, R-OPCODE"), "{}", run.stderr);
+    assert!(run.stderr.contains("2 networks stay as written."), "{}", run.stderr);
+    folder.write("main.lad.awl", drawn.as_bytes());
+    assert_eq!(folder.run(&["convert", "main.lad.awl", "--to", "lad"]).stdout, drawn, "what is drawn stays");
+}
+
+#[test]
+fn rewriting_draws_what_means_the_same() {
+    let folder = Folder::with(&[("main.awl", SOURCE)]);
+    let run = folder.run(&["convert", "main.awl", "--to", "fbd", "--rewrite", "--block", "FC 1"]);
+    assert!(run.stdout.contains("NETWORK FBD\nTITLE = Copy\n    MOVE MW 10 => MW 12\n"), "{}", run.stdout);
+    assert!(run.stdout.contains("NETWORK FBD\n    NO    I 0.2\n    COIL  Q 4.1  // lamp\n"), "{}", run.stdout);
+    assert!(run.stdout.contains("CALL  FC 1;"), "the other block is not asked for: {}", run.stdout);
+    assert!(run.stderr.contains("1 network stays as written."), "{}", run.stderr);
+}
+
+#[test]
+fn a_diagram_becomes_the_statements_it_stands_for_and_is_drawn_the_same_again() {
+    let diagram = "NETWORK\nTITLE = A\n    NO  I 0.0  // a\n    ADD_I MW 0, 1 => MW 0  // b\n    S_ODT T 5\n        TV := S5T#2S\n        R:\n            NO  I 0.7\n    COIL  Q 4.0\n    // the end\n";
+    let folder = Folder::with(&[("main.lad", diagram)]);
+    let stl = folder.run(&["convert", "main.lad", "--to", "stl", "-o", "main.awl"]);
+    assert_eq!((stl.code, stl.stderr.as_str()), (Some(0), ""));
+    let text = String::from_utf8(folder.read("main.awl")).expect("it is UTF-8");
+    for part in ["NETWORK STL\nTITLE = A\n", "// a", "// b", "// the end", "JNB   _001;", "_001: A     BR;", "SD    T 5;"] {
+        assert!(text.contains(part), "{part}: {text}");
+    }
+    let again = folder.run(&["convert", "main.awl", "--to", "lad"]);
+    assert_eq!(again.stdout.replace("NETWORK LAD", "NETWORK"), diagram.replace("    // the end", "      // the end"), "{}", again.stderr);
+    let line = folder.run(&["convert", "main.lad", "--to", "fbd", "--form", "b"]);
+    assert!(line.stdout.contains("S_ODT[T5]"), "{}", line.stdout);
+    folder.write("line.fbd", line.stdout.replace("NETWORK FBD", "NETWORK").as_bytes());
+    let check = folder.run(&["check", "line.fbd"]);
+    assert_eq!(check.code, Some(0), "{}{}", line.stdout, check.stderr);
+}
+
+#[test]
+fn json_has_an_object_for_each_network() {
+    let folder = Folder::with(&[("main.awl", SOURCE)]);
+    let run = folder.run(&["convert", "main.awl", "--to", "lad", "--json"]);
+    let all: Value = serde_json::from_str(&run.stdout).unwrap_or_else(|error| panic!("{error}: {}", run.stdout));
+    let row = |index: usize| &all[index];
+    assert_eq!((&row(0)["answer"], &row(0)["block"], &row(0)["network"]), (&"exact".into(), &"FC 1".into(), &1.into()));
+    assert_eq!(
+        row(0)["text"],
+        "    OR\n        NO  I 0.0  // the button\n    OR\n        NO  Q 4.0\n    END\n    NC    I 0.1\n    COIL  Q 4.0\n"
+    );
+    assert_eq!((&row(1)["answer"], &row(1)["codes"]), (&"equivalent".into(), &serde_json::json!(["W1"])));
+    assert_eq!((&row(2)["answer"], &row(2)["reason"], &row(2)["statement"]), (&"no".into(), &"R-OPCODE".into(), &2.into()));
+    assert_eq!(row(3)["answer"], "exact");
+    assert_eq!(all.as_array().map(Vec::len), Some(5));
+}
+
+#[test]
+fn files_are_replaced_with_their_encoding_and_line_ends() {
+    let folder = Folder::new();
+    let source = "NETWORK\r\nTITLE = \u{d6}ffnen\r\n      U     E 0.0;\r\n      =     A 4.0;\r\n";
+    let bytes: Vec<u8> = source.chars().map(|sign| sign as u8).collect();
+    folder.write("main.awl", &bytes);
+    let run = folder.run(&["convert", "main.awl", "--to", "lad", "--write"]);
+    assert_eq!(run.code, Some(0), "{}", run.stderr);
+    let expected = "NETWORK LAD\r\nTITLE = \u{d6}ffnen\r\n    NO    E 0.0\r\n    COIL  A 4.0\r\n";
+    assert_eq!(folder.read("main.awl"), expected.chars().map(|sign| sign as u8).collect::<Vec<_>>());
+}
+
+#[test]
+fn what_cannot_be_done_is_said() {
+    let folder =
+        Folder::with(&[("main.awl", SOURCE), ("wrong.awl", "A I 0.0;\nFOO;\n"), ("xor.awl", "A I 0.0;\nX I 0.1;\nA I 0.2;\n= Q 4.0;\n")]);
+    let unknown = folder.run(&["convert", "main.awl", "--to", "lad", "--block", "FB 7"]);
+    assert_eq!(unknown.code, Some(2));
+    assert!(unknown.stderr.contains("there is no block `FB 7`") && unknown.stderr.contains("FC 1"), "{}", unknown.stderr);
+    let wrong = folder.run(&["convert", "wrong.awl", "--to", "lad"]);
+    assert_eq!((wrong.code, wrong.stdout.as_str()), (Some(3), ""));
+    let two = folder.run(&["convert", "main.awl", "--to", "lad", "--mnemonics", "de"]);
+    assert_eq!(two.code, Some(2));
+    let none = folder.run(&["convert", "main.awl"]);
+    assert_eq!(none.code, Some(2));
+    let form = folder.run(&["convert", "main.awl", "--mnemonics", "de", "--form", "b"]);
+    assert_eq!(form.code, Some(2));
+}

@@ -1,0 +1,207 @@
+//! Rows: a rung that is wider than the page goes on in the next row, from `»1` to `1»`, at the joint of its series that is nearest to the limit.
+//!
+//! Only where there is no such joint is a branch, or the logic of a pin, cut and drawn in a row of its own.
+
+use std::collections::VecDeque;
+
+use sieben_lang::network::model::Place;
+
+use super::super::figures::Figure;
+use super::super::identity::STUB;
+use super::super::layout::NetId;
+use super::measure::{cell, characters, contacts};
+use super::{Drawn, Maker, Node, Nodes, Part, Path, Tail};
+
+/// Columns of characters that the mark where a row goes on takes.
+const STUB_COLUMNS: usize = 8;
+
+/// Where a row begins.
+#[derive(Debug)]
+pub(super) enum Begin {
+    /// At the rail.
+    Rail,
+    /// Where another row was cut.
+    Stub(u32),
+}
+
+/// A row.
+#[derive(Debug)]
+pub(super) struct Row {
+    pub(super) begin: Begin,
+    pub(super) drawn: Drawn,
+}
+
+/// What a row may take.
+#[derive(Clone, Copy)]
+struct Room {
+    characters: usize,
+    contacts: usize,
+}
+
+impl Room {
+    fn less(self, characters: usize, contacts: usize) -> Self {
+        Self { characters: self.characters.saturating_sub(characters), contacts: self.contacts.saturating_sub(contacts) }
+    }
+}
+
+/// A rung in rows.
+pub(super) fn rows(drawn: Drawn, maker: &mut Maker<'_>) -> Vec<Row> {
+    let room = Room { characters: maker.options.columns, contacts: maker.options.contacts.max(1) };
+    let mut wrapper = Wrapper { stubs: &mut maker.stubs, waiting: VecDeque::from([Row { begin: Begin::Rail, drawn }]) };
+    let mut rows = Vec::new();
+    while let Some(mut row) = wrapper.waiting.pop_front() {
+        let begin = if matches!(row.begin, Begin::Rail) { 0 } else { STUB_COLUMNS };
+        wrapper.fit(&mut row.drawn, room.less(begin, 0));
+        rows.push(row);
+    }
+    rows
+}
+
+struct Wrapper<'m> {
+    stubs: &'m mut u32,
+    waiting: VecDeque<Row>,
+}
+
+fn fits(characters: usize, contacts: usize, room: Room) -> bool {
+    characters <= room.characters && contacts <= room.contacts
+}
+
+/// What is left of elements from a place on, where more than pieces of line is.
+fn cut(nodes: &mut Nodes, index: usize) -> Option<Nodes> {
+    let begin = nodes[index..].iter().position(|node| !node.is_gap())? + index;
+    let rest = nodes.split_off(begin);
+    nodes.truncate(index);
+    Some(rest)
+}
+
+impl Tail {
+    fn characters(&self) -> usize {
+        match self {
+            Self::Open => 0,
+            Self::Outputs(outputs) => outputs.iter().map(|output| output.characters).max().unwrap_or(0) + 1,
+            Self::Branches(rungs) => rungs.iter().map(Drawn::characters).max().unwrap_or(0),
+            Self::Stub(_) => STUB_COLUMNS,
+        }
+    }
+
+    fn contacts(&self) -> usize {
+        match self {
+            Self::Open | Self::Outputs(_) | Self::Stub(_) => 0,
+            Self::Branches(rungs) => rungs.iter().map(Drawn::contacts).max().unwrap_or(0),
+        }
+    }
+}
+
+impl Drawn {
+    fn characters(&self) -> usize {
+        characters(&self.nodes) + self.tail.characters()
+    }
+
+    fn contacts(&self) -> usize {
+        contacts(&self.nodes) + self.tail.contacts()
+    }
+}
+
+impl Wrapper<'_> {
+    fn number(&mut self) -> u32 {
+        *self.stubs = self.stubs.saturating_add(1);
+        *self.stubs
+    }
+
+    /// Makes a rung fit; what does not waits for a row of its own.
+    fn fit(&mut self, drawn: &mut Drawn, room: Room) {
+        if fits(drawn.characters(), drawn.contacts(), room) {
+            return;
+        }
+        let mut used = (0, 0);
+        let mut cut = None;
+        for (index, node) in drawn.nodes.iter_mut().enumerate() {
+            let left = room.less(used.0 + STUB_COLUMNS, used.1);
+            if !fits(node.characters, node.contacts, left) {
+                if index > 0 {
+                    cut = Some(index);
+                    break;
+                }
+                self.shrink(node, left);
+            }
+            used = (used.0 + node.characters, used.1 + node.contacts);
+        }
+        let left = room.less(used.0, used.1);
+        if cut.is_none() && !fits(drawn.tail.characters(), drawn.tail.contacts(), left) {
+            match &mut drawn.tail {
+                _ if !drawn.nodes.is_empty() => cut = Some(drawn.nodes.len()),
+                Tail::Branches(rungs) => rungs.iter_mut().for_each(|rung| self.fit(rung, left)),
+                _ => {}
+            }
+        }
+        if let Some(index) = cut {
+            let number = self.number();
+            let nodes = self::cut(&mut drawn.nodes, index).unwrap_or_default();
+            let after = drawn.nodes.last().map_or(drawn.before, |last| last.after);
+            let tail = std::mem::replace(&mut drawn.tail, Tail::Stub(number));
+            let rest = Drawn { nodes, before: after, after: drawn.after, tail };
+            drawn.after = after;
+            self.waiting.push_back(Row { begin: Begin::Stub(number), drawn: rest });
+        }
+    }
+
+    /// Makes an element fit that is wider than a row: its branches, or the logic at its pins, go on elsewhere.
+    fn shrink(&mut self, node: &mut Node, room: Room) {
+        match &mut node.part {
+            Part::Figure(_) => return,
+            Part::Parallel(paths) => paths.iter_mut().for_each(|path| self.shrink_branch(path, room)),
+            Part::Boxed(figure, logic) => {
+                let left = room.less(figure.width() + 4, 1);
+                for (_, path) in logic {
+                    if !fits(path.characters(), path.contacts(), left) {
+                        self.cut_pin(path);
+                    }
+                }
+            }
+        }
+        node.settle();
+    }
+
+    fn shrink_branch(&mut self, path: &mut Path, room: Room) {
+        if fits(path.characters(), path.contacts(), room) {
+            return;
+        }
+        let mut used = (0, 0);
+        let mut cut = None;
+        // What is cut comes back at the end of the branch.
+        let room = room.less(2 * STUB_COLUMNS, 0);
+        for (index, node) in path.nodes.iter_mut().enumerate() {
+            let left = room.less(used.0, used.1);
+            if !fits(node.characters, node.contacts, left) {
+                if index > 0 {
+                    cut = Some(index);
+                    break;
+                }
+                self.shrink(node, left);
+            }
+            used = (used.0 + node.characters, used.1 + node.contacts);
+        }
+        let Some(nodes) = cut.and_then(|index| self::cut(&mut path.nodes, index)) else { return };
+        let before = path.nodes.last().map_or(path.before, |last| last.after);
+        let (out, back) = (self.number(), self.number());
+        path.nodes.push(stub(Figure::StubOut(out), before));
+        path.nodes.push(stub(Figure::StubIn(back), path.after));
+        self.later(Begin::Stub(out), nodes, before, path.after, back);
+    }
+
+    fn cut_pin(&mut self, path: &mut Path) {
+        let number = self.number();
+        let nodes = std::mem::take(&mut path.nodes);
+        path.nodes.push(stub(Figure::StubIn(number), path.after));
+        self.later(Begin::Rail, nodes, path.before, path.after, number);
+    }
+
+    fn later(&mut self, begin: Begin, nodes: Nodes, before: NetId, after: NetId, end: u32) {
+        self.waiting.push_back(Row { begin, drawn: Drawn { nodes, before, after, tail: Tail::Stub(end) } });
+    }
+}
+
+/// The mark where a line goes on elsewhere or comes from there.
+pub(super) fn stub(figure: Figure, net: NetId) -> Node {
+    cell(figure, STUB, Place::default(), (net, net))
+}
