@@ -206,3 +206,51 @@ fn git_compares_the_diagrams() {
     let diff = git(&["diff"]);
     assert!(diff.contains("+      AN    \"Unknown\";"), "{diff}");
 }
+
+const BODY: &str = "\
+FUNCTION_BLOCK Pump
+  VAR_INPUT
+    start, stop : BOOL;
+  END_VAR
+  VAR_OUTPUT
+    running, warning : BOOL;
+  END_VAR
+  VAR
+    late : TON;
+  END_VAR
+  LD
+  NETWORK
+  TITLE = Runs for too long
+      NO    start
+      NC    stop
+      TON late
+          PT := T#10m
+      COIL  warning
+END_FUNCTION_BLOCK
+";
+
+#[test]
+fn a_body_of_structured_text_that_is_a_diagram_is_drawn() {
+    let folder = Folder::with(&[("pump.st", BODY)]);
+    let run = folder.run(&["render", "pump.st", "--block", "Pump"]);
+    assert_eq!(run.code, Some(0), "{}", run.stderr);
+    let wanted = "\
+Pump
+
+Network 1: Runs for too long
+│                       late
+│ start   stop         ┌─TON─┐    warning
+├──┤ ├─────┤/├─────────┤IN  Q├──────( )───┤
+                  T#10m┤PT   │
+                       └─────┘
+";
+    assert_eq!(run.stdout, wanted);
+    let run = folder.run(&["render", "pump.st", "-o", "pump.svg", "--as", "fbd"]);
+    assert_eq!(run.code, Some(0), "{}", run.stderr);
+    let picture = String::from_utf8(folder.read("pump.svg")).unwrap();
+    for wanted in ["data-element=\"contact-14\"", "data-element=\"contact-15\"", "data-element=\"box-16\"", "data-element=\"coil-18\""] {
+        assert!(picture.contains(wanted), "{wanted} in {picture}");
+    }
+    let run = folder.run(&["exec", "pump.st", "--status", "x.svg", "--network", "Pump/1"]);
+    assert!(run.code == Some(2) && run.stderr.contains("[P7083]"), "{}", run.stderr);
+}

@@ -111,7 +111,7 @@ fn text(diagrams: &Diagrams<'_>, chosen: &[Chosen<'_>], form: Form, ascii: bool)
         if index > 0 {
             out.push('\n');
         }
-        out.push_str(&headed(&diagrams.places.block(*id), block.title.as_deref(), block.comment.as_deref()));
+        out.push_str(&headed(&diagrams.name(*id), block.title.as_deref(), block.comment.as_deref()));
         for written in networks {
             out.push('\n');
             let heading = format!("Network {}", written.number);

@@ -26,8 +26,9 @@ use sieben_lang::network::model::{Network, Place};
 use sieben_lang::network::statement::Statement;
 use sieben_model::block::BlockId;
 use sieben_model::problems::Problem;
-use sieben_model::source::Span;
+use sieben_model::source::{FileId, Span};
 
+use crate::controller;
 use crate::failure::Failure;
 use crate::places::Places;
 use crate::project::Build;
@@ -85,12 +86,31 @@ pub(crate) struct Written {
     pub(crate) numbers: Vec<u32>,
     /// Its statements as diagrams see them.
     pub(crate) statements: Vec<Statement>,
-    /// Where they stand.
-    pub(crate) spans: Vec<Span>,
+    /// What the places of its elements are.
+    pub(crate) places: ElementPlaces,
     /// As a diagram, or why it is none.
     pub(crate) read: Result<Network, String>,
     /// Its statements as text.
     pub(crate) text: String,
+}
+
+/// What the places of the elements of a network are.
+#[derive(Clone, Debug)]
+pub(crate) enum ElementPlaces {
+    /// Its statements, which stand here.
+    Statements(Vec<Span>),
+    /// Bytes of a source, in a block of Structured Text.
+    Bytes(FileId),
+}
+
+impl ElementPlaces {
+    /// Where an element stands.
+    fn span(&self, place: Place) -> Span {
+        match self {
+            Self::Statements(spans) => spans.get(place.first as usize).copied().unwrap_or_default(),
+            Self::Bytes(file) => Span::new(*file, place.first, place.first),
+        }
+    }
 }
 
 /// A network as it is shown.
@@ -150,10 +170,9 @@ impl<'b> Diagrams<'b> {
         let id = block_named(self.build, name)?;
         match self.blocks.get(&id) {
             Some(block) => Ok((id, block)),
-            None => Err(Failure::usage(
-                Problem::P7080,
-                format!("{} is no block of STL, LAD or FBD, and has no networks", self.places.block(id)),
-            )),
+            None => {
+                Err(Failure::usage(Problem::P7080, format!("{} is written as text of Structured Text, and has no networks", self.name(id))))
+            }
         }
     }
 
@@ -176,14 +195,14 @@ impl<'b> Diagrams<'b> {
 
     /// The same in so many columns.
     pub(crate) fn shown_in(&self, id: BlockId, written: &Written, form: Form, status: Option<&Status>, columns: usize) -> Shown {
-        let title = |form: Form| format!("{}, network {}, as {}", self.places.block(id), written.number, form.name());
+        let title = |form: Form| format!("{}, network {}, as {}", self.name(id), written.number, form.name());
         let as_statements = |reason| Shown { title: title(Form::Stl), layout: None, flows: None, reason };
         let network = match (&written.read, form) {
             (_, Form::Stl) => return as_statements(None),
             (Err(reason), _) => return as_statements(Some(format!("Stays STL: {reason}"))),
             (Ok(network), _) => network,
         };
-        let line_of = |place: Place| written.spans.get(place.first as usize).map_or(0, |&span| self.places.line(span));
+        let line_of = |place: Place| self.places.line(written.places.span(place));
         let options = Options { status, columns, ..Options::new(&line_of) };
         let drawn = match form {
             Form::Lad => reading::for_ladder(network).and_then(|network| ladder(&network, &options).map_err(|refusal| refusal.message())),
@@ -196,6 +215,11 @@ impl<'b> Diagrams<'b> {
             }
             Err(reason) => as_statements(Some(format!("Stays STL: {reason}"))),
         }
+    }
+
+    /// What people call a block: `FC 1 (Dosing)`, or the name that it has in its source of ST.
+    pub(crate) fn name(&self, id: BlockId) -> String {
+        controller::name_in_source(self.build, id).map_or_else(|| self.places.block(id), str::to_owned)
     }
 
     /// The program.

@@ -8,7 +8,7 @@ use sieben_ide::drawing::text::Characters;
 use sieben_model::block::BlockId;
 use sieben_model::problems::Problem;
 
-use super::{CodeBlock, Diagrams, Form, Kind, Watch, Written, html_of, put, svg};
+use super::{CodeBlock, Diagrams, ElementPlaces, Form, Kind, Watch, Written, html_of, put, svg};
 use crate::failure::Failure;
 use crate::paths;
 
@@ -39,6 +39,10 @@ impl<'d> LastMoment<'d> {
         // What is no diagram is said before the run, not after it.
         if let Some(reason) = diagrams.shown(id, network, form, None).reason {
             return Err(Failure::usage(Problem::P7083, format!("network {number} of {id} is no diagram. {reason}")));
+        }
+        if matches!(network.places, ElementPlaces::Bytes(_)) {
+            let message = format!("{} is a diagram of Structured Text, whose lines cannot be followed yet", diagrams.name(id));
+            return Err(Failure::usage(Problem::P7083, message).help("`sieben render` draws it without values"));
         }
         let watch = Watch::new(id, network);
         Ok(Self { diagrams, id, block, network, form, file: file.to_path_buf(), kind, watch })

@@ -9,6 +9,7 @@ use sieben_ide::target::Target;
 use sieben_model::block::BlockId;
 
 use super::{CodeBlock, Diagrams, Form, Shown, Written};
+use crate::controller;
 
 /// Places of a symbol that are listed; a clock memory bit is used in hundreds.
 const REFERENCES_MAX: usize = 20;
@@ -56,8 +57,11 @@ fn named(references: &CrossReference) -> Named<'_> {
 
 fn block_page(diagrams: &Diagrams<'_>, id: BlockId, block: &CodeBlock, networks: Vec<NetworkPage>) -> BlockPage {
     BlockPage {
-        name: id.to_string(),
-        symbol: Some(diagrams.places.block_symbol(id)).filter(|symbol| !symbol.is_empty()),
+        name: controller::name_in_source(diagrams.build(), id).map_or_else(|| id.to_string(), str::to_owned),
+        symbol: controller::name_in_source(diagrams.build(), id)
+            .is_none()
+            .then(|| diagrams.places.block_symbol(id))
+            .filter(|symbol| !symbol.is_empty()),
         title: block.title.clone(),
         comment: block.comment.clone(),
         header: block.header.clone(),

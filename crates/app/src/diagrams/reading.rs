@@ -1,15 +1,20 @@
 //! What stands in the sources of blocks: titles, comments, networks with their statements, and each network as a diagram.
 
+use std::collections::HashMap;
+
 use sieben_lang::network::model::Network;
 use sieben_lang::network::read::{Answer, Mode};
 use sieben_lang::network::reasons::Refusal;
 use sieben_lang::network::statement::Statement;
 use sieben_lang::network::to_lad::to_lad;
+use sieben_lang::st::diagrams::drawn;
 use sieben_lang::stl::ast::Word;
 use sieben_lang::stl::diagrams::DrawnNetwork;
 use sieben_lang::stl::redraw::SourceBlock;
+use sieben_model::block::BlockId;
+use sieben_model::source::FileId;
 
-use super::{Blocks, CodeBlock, Written, sources};
+use super::{Blocks, CodeBlock, ElementPlaces, Written, sources};
 use crate::project::Build;
 
 /// The blocks of STL of the user, with what stands in their sources.
@@ -20,7 +25,31 @@ pub(crate) fn blocks(build: &Build) -> Blocks {
             blocks.insert(block.id, code_block(block, source.text));
         }
     }
+    let names: HashMap<String, BlockId> = build.compiled.block_names.iter().map(|(&id, name)| (name.to_lowercase(), id)).collect();
+    for file in &build.project.sources {
+        let Some(dialect) = file.language(build.project.settings.dialect).dialect() else { continue };
+        let text = &build.project.texts.program.file(file.id).text;
+        for network in drawn::networks(file.id, text, dialect) {
+            if let Some(&id) = names.get(&network.block.to_lowercase()) {
+                blocks.entry(id).or_default().networks.push(of_structured_text(network, file.id));
+            }
+        }
+    }
     blocks
+}
+
+/// A network of a body of Structured Text that is a diagram.
+fn of_structured_text(network: drawn::DrawnNetwork, file: FileId) -> Written {
+    Written {
+        number: network.number,
+        title: some(&network.title),
+        comment: some(&network.comment),
+        numbers: Vec::new(),
+        statements: Vec::new(),
+        places: ElementPlaces::Bytes(file),
+        read: Ok(network.network),
+        text: String::new(),
+    }
 }
 
 fn some(text: &str) -> Option<String> {
@@ -52,7 +81,7 @@ fn written(network: DrawnNetwork, text: &str) -> Written {
         comment: some(&network.comment),
         numbers: network.numbers,
         statements: network.statements,
-        spans: network.spans,
+        places: ElementPlaces::Statements(network.spans),
         read,
         text: as_text,
     }

@@ -1,5 +1,7 @@
 //! What is wrong with a diagram: which kind of mistake, where, and a sentence.
 
+use sieben_model::problems::Problem;
+
 /// A mistake in a diagram.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Mistake {
@@ -49,4 +51,21 @@ pub enum MistakeKind {
     Line,
     /// Too many elements, or nested too deep.
     Size,
+}
+
+impl MistakeKind {
+    /// Its problem code.
+    pub fn problem(self) -> Problem {
+        match self {
+            Self::Word => Problem::P2401,
+            Self::Operand => Problem::P2402,
+            Self::Pin => Problem::P2403,
+            Self::Open => Problem::P2404,
+            Self::Short => Problem::P2405,
+            Self::Position => Problem::P2406,
+            Self::OnlyFbd => Problem::P2407,
+            Self::Size => Problem::P2408,
+            Self::Line => Problem::P2409,
+        }
+    }
 }

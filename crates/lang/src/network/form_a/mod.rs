@@ -5,11 +5,13 @@ mod layout;
 mod line;
 mod parse;
 mod print;
+mod recognized;
 
 pub use layout::format;
 pub use line::{Comment, comments, written_lines};
 pub use parse::{NESTING_MAX, Parsed, parse};
 pub use print::print;
+pub use recognized::is_form_a;
 
 #[cfg(test)]
 mod tests;

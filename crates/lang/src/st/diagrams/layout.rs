@@ -18,7 +18,7 @@ pub(in crate::st) fn lines(text: &str) -> Vec<String> {
         }
         lines.extend(text[head].lines().map(str::trim).filter(|line| !line.is_empty()).map(one_space));
         let written = &text[elements.clone()];
-        if !read::is_form_a(written) {
+        if !form_a::is_form_a(written, Flavour::Iec) {
             lines.extend(written.lines().map(str::trim).filter(|line| !line.is_empty()).map(|line| format!("{INDENT}{line}")));
             continue;
         }

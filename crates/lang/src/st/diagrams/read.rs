@@ -3,15 +3,14 @@
 use std::ops::Range;
 
 use sieben_model::diagnostic::Diagnostic;
-use sieben_model::problems::Problem;
 use sieben_model::source::{FileId, Span};
 
 use super::Language;
 use crate::network::flavour::{Drawing, Flavour};
 use crate::network::form_a;
-use crate::network::mistake::{Mistake, MistakeKind};
+use crate::network::mistake::Mistake;
 use crate::network::model::{Network, Place};
-use crate::network::{form_b, rules, words};
+use crate::network::{form_b, rules};
 
 /// A network of a body.
 pub(in crate::st) struct Written {
@@ -51,7 +50,7 @@ pub(in crate::st) fn networks(text: &str, body: Range<usize>, language: Language
     let start = if text[line..body.start].trim().is_empty() { line } else { body.start };
     for part in parts(text, start..body.end) {
         let language = part.language.unwrap_or(language);
-        if is_form_a(&text[part.elements.clone()]) {
+        if form_a::is_form_a(&text[part.elements.clone()], Flavour::Iec) {
             let parsed = form_a::parse(text, part.elements.start, part.elements.end, Flavour::Iec);
             read.mistakes.extend(parsed.mistakes);
             let place = if part.head.is_empty() { &part.elements } else { &part.head };
@@ -175,39 +174,11 @@ fn first_word(content: &str) -> &str {
     content.find(|sign: char| !(sign.is_alphanumeric() || sign == '_')).map_or(content, |end| &content[..end])
 }
 
-/// Whether a network is written in form A: its first line begins with the word of an element, or no line of it looks like form B.
-pub(in crate::st) fn is_form_a(elements: &str) -> bool {
-    let mut lines = elements.lines().map(|line| without_comment(line).trim()).filter(|line| !line.is_empty());
-    let Some(first) = lines.next() else { return true };
-    !is_form_b(first) && (begins_with_word(first) || !lines.any(is_form_b))
-}
-
-/// Whether a line can only be one of form B.
-fn is_form_b(line: &str) -> bool {
-    line.contains("->") || line.starts_with("|-") || line.starts_with(['{', '(', '[', '!', '/']) && !begins_with_word(line)
-}
-
-/// Whether a line begins with the word of an element, as form A has it: `NO x`, `/OR`.
-fn begins_with_word(line: &str) -> bool {
-    words::begins_line(line.split(char::is_whitespace).next().unwrap_or_default())
-}
-
 /// What is to be said about a mistake.
 pub(in crate::st) fn diagnostic(mistake: &Mistake, file: FileId) -> Diagnostic {
     let place = |at: usize| u32::try_from(at).unwrap_or(u32::MAX);
     let span = Span::new(file, place(mistake.start), place(mistake.end.max(mistake.start)));
-    let problem = match mistake.kind {
-        MistakeKind::Word => Problem::P2401,
-        MistakeKind::Operand => Problem::P2402,
-        MistakeKind::Pin => Problem::P2403,
-        MistakeKind::Open => Problem::P2404,
-        MistakeKind::Short => Problem::P2405,
-        MistakeKind::Position => Problem::P2406,
-        MistakeKind::OnlyFbd => Problem::P2407,
-        MistakeKind::Size => Problem::P2408,
-        MistakeKind::Line => Problem::P2409,
-    };
-    let diagnostic = Diagnostic::new(problem, span, mistake.message.clone());
+    let diagnostic = Diagnostic::new(mistake.kind.problem(), span, mistake.message.clone());
     match &mistake.help {
         Some(help) => diagnostic.help(help.clone()),
         None => diagnostic,

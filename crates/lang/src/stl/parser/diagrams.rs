@@ -18,7 +18,7 @@ use crate::network::mistake::{Mistake, MistakeKind};
 use crate::network::model::{Content, Network};
 use crate::network::operand::{Operand as Written, STATUS_BITS};
 use crate::network::statement::Statement;
-use crate::network::{rules, words, write};
+use crate::network::{rules, write};
 use crate::stl::ast::{self, Argument, Block, Call, Constant, Operand, Word};
 use crate::stl::lexer::Raw;
 use crate::stl::mnemonics::{NOTATIONS, translate_instruction, translate_status};
@@ -73,7 +73,7 @@ impl Parser<'_> {
         let start = self.position;
         self.bump_to(SyntaxKind::Diagram, to);
         let under_network = !block.networks.is_empty();
-        if is_form_a(self.slice(from, to)) {
+        if form_a::is_form_a(self.slice(from, to), Flavour::S7) {
             let parsed = form_a::parse(self.text, from, to, Flavour::S7);
             let read = if parsed.mistakes.is_empty() { Read::Whole } else { Read::InPart };
             parsed.mistakes.into_iter().for_each(|mistake| self.mistake(mistake, drawing, block));
@@ -119,19 +119,8 @@ impl Parser<'_> {
     }
 
     fn mistake(&mut self, mistake: Mistake, drawing: Drawing, block: &Block) {
-        let problem = match mistake.kind {
-            MistakeKind::Word => Problem::P2401,
-            MistakeKind::Operand => Problem::P2402,
-            MistakeKind::Pin => Problem::P2403,
-            MistakeKind::Open => Problem::P2404,
-            MistakeKind::Short => Problem::P2405,
-            MistakeKind::Position => Problem::P2406,
-            MistakeKind::OnlyFbd => Problem::P2407,
-            MistakeKind::Size => Problem::P2408,
-            MistakeKind::Line => Problem::P2409,
-        };
         let message = format!("{} network {}: {}", drawing.word(), block.networks.len().max(1), mistake.message);
-        let diagnostic = Diagnostic::new(problem, self.span(mistake.start, mistake.end), message);
+        let diagnostic = Diagnostic::new(mistake.kind.problem(), self.span(mistake.start, mistake.end), message);
         self.report(match mistake.help {
             Some(help) => diagnostic.help(help),
             None => diagnostic,
@@ -258,7 +247,7 @@ impl Parser<'_> {
 /// The text of a diagram that was parsed without mistakes, with the blanks before its first line, in the usual layout: one element on each line, four spaces for
 /// each level.
 pub(in crate::stl) fn layout(text: &str) -> String {
-    if is_form_a(text) {
+    if form_a::is_form_a(text, Flavour::S7) {
         return form_a::format(text, 0, text.len(), &form_a::parse(text, 0, text.len(), Flavour::S7));
     }
     form_a::written_lines(text).map(|line| format!("{}\n", line.trim())).collect()
@@ -284,31 +273,6 @@ fn end_of(text: &str, operand: &str) -> usize {
         }
     }
     end
-}
-
-/// Whether a diagram has one element on each line.
-fn is_form_a(text: &str) -> bool {
-    let mut code =
-        form_a::written_lines(text).map(|line| line.split("//").next().unwrap_or_default().trim()).filter(|line| !line.is_empty());
-    let Some(line) = code.next() else { return true };
-    // An arrow to outputs, or a box straight on the rail, is in no line of the other form.
-    if code.any(|line| line.starts_with("|-") || line.contains("->")) {
-        return false;
-    }
-    let signs = line.find(|sign: char| !(sign.is_alphanumeric() || matches!(sign, '_' | '<' | '>' | '/'))).unwrap_or(line.len());
-    let (word, rest) = line.split_at(signs);
-    if line.starts_with("|-") || line.contains("->") || rest.starts_with(['(', '[']) && !word.is_empty() {
-        return false;
-    }
-    if word == "LABEL" {
-        return rest.trim_end().ends_with(':') && !rest.trim().trim_end_matches(':').contains(':');
-    }
-    words::begins_line(word)
-        || !word.is_empty() && rest.is_empty()
-        || form_a::written_lines(text).any(|line| {
-            let word = line.split_whitespace().next().unwrap_or_default();
-            words::begins_line(word) && !matches!(word, "S" | "R" | "P" | "N")
-        })
 }
 
 /// The networks of a diagram on one line, each with its first byte: every line is one, or all of them together are.
