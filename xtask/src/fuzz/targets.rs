@@ -75,7 +75,7 @@ fn run(data: &[u8]) {
 
 /// The same for a source of diagrams.
 fn run_diagrams(data: &[u8]) {
-    run_source(if data.len() % 2 == 0 { "fuzz.lad" } else { "fuzz.fbd" }, data);
+    run_source(if data.len().is_multiple_of(2) { "fuzz.lad" } else { "fuzz.fbd" }, data);
 }
 
 fn run_source(name: &str, data: &[u8]) {
