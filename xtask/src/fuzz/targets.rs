@@ -50,6 +50,8 @@ pub const TARGETS: &[Target] = &[
     Target { name: "lang-encoding", fuzz: encoding, corpus: "encoding", fences: &[], words: no_words },
     Target { name: "lang-st", fuzz: sieben_lang::st::fuzz, corpus: "st", fences: &["st"], words: st_words },
     Target { name: "lang-stl", fuzz: sieben_lang::stl::fuzz, corpus: "stl", fences: &["stl"], words: stl_words },
+    Target { name: "lang-diagrams", fuzz: sieben_lang::stl::fuzz_diagrams, corpus: "diagrams", fences: &["lad", "fbd"], words: diagram_words },
+    Target { name: "cpu-diagrams", fuzz: run_diagrams, corpus: "diagrams", fences: &["lad", "fbd"], words: diagram_words },
     Target { name: "lang-symbols", fuzz: sieben_lang::symbols::fuzz, corpus: "symbols", fences: &[], words: symbol_words },
     Target { name: "sim-history", fuzz: history, corpus: "engines", fences: &["stl"], words: stl_words },
     Target { name: "sim-scenario", fuzz: scenario, corpus: "scenario", fences: &["check"], words: scenario_words },
@@ -60,15 +62,24 @@ pub const TARGETS: &[Target] = &[
 /// Safe points that a fuzzed program may pass in one scan: enough to leave every loop of the corpus, few enough for thousands of runs a second.
 const SAFE_POINTS_MAX: i64 = 10_000;
 
-fn compiled(data: &[u8]) -> sieben_lang::Compiled {
+fn compiled(name: &str, data: &[u8]) -> sieben_lang::Compiled {
     let mut sources = Sources::default();
-    sources.add("fuzz.awl", String::from_utf8_lossy(data));
+    sources.add(name, String::from_utf8_lossy(data));
     sieben_lang::compile(&sources, &SymbolTable::default(), &Options { extended: true, ..Options::default() })
 }
 
 /// Compiles the input and, if it has no errors, runs three scans of it.
 fn run(data: &[u8]) {
-    let compiled = compiled(data);
+    run_source("fuzz.awl", data);
+}
+
+/// The same for a source of diagrams.
+fn run_diagrams(data: &[u8]) {
+    run_source(if data.len().is_multiple_of(2) { "fuzz.lad" } else { "fuzz.fbd" }, data);
+}
+
+fn run_source(name: &str, data: &[u8]) {
+    let compiled = compiled(name, data);
     if compiled.diagnostics.iter().any(|diagnostic| diagnostic.severity() == Severity::Error) {
         return;
     }
@@ -100,7 +111,7 @@ fn history(data: &[u8]) {
             false
         }
     }
-    let compiled = compiled(data);
+    let compiled = compiled("fuzz.awl", data);
     if compiled.diagnostics.iter().any(|diagnostic| diagnostic.severity() == Severity::Error) {
         return;
     }
@@ -127,7 +138,7 @@ fn retain(data: &[u8]) {
         ORGANIZATION_BLOCK OB 1\nBEGIN\nAN T 2; L S5T#1S; SD T 2; A T 2; CU C 0; L DB1.DBD 0; +1; T DB1.DBD 0;\nEND_ORGANIZATION_BLOCK\n";
     static COMPILED: OnceLock<Arc<Program>> = OnceLock::new();
     sieben_cpu::retain::fuzz(data);
-    let program = COMPILED.get_or_init(|| Arc::new(compiled(PROGRAM.as_bytes()).program));
+    let program = COMPILED.get_or_init(|| Arc::new(compiled("fuzz.awl", PROGRAM.as_bytes()).program));
     let cpu_type = &CpuType::ALL[0];
     let retain = RetentiveAreas { timers: Numbers::range(0..=7), ..RetentiveAreas::default() };
     let settings = Settings { retain, ..Settings::default() };
@@ -377,8 +388,72 @@ fn symbol_words() -> Vec<&'static str> {
 
 fn diagram_words() -> Vec<&'static str> {
     let signs = [
-        "-> ", "|- ", " | ", "(", ")", "/", "!", "[", "]", "{", " ; ", "}", "#(", ":= ", "=> ", ", ", ".", "and(", "or(", "xor(",
-        "= Q 4.0", "I 0.0", "MW 2",
+        "-> ",
+        "|- ",
+        " | ",
+        "(",
+        ")",
+        "/",
+        "!",
+        "[",
+        "]",
+        "{",
+        " ; ",
+        "}",
+        "#(",
+        ":= ",
+        "=> ",
+        ", ",
+        ".",
+        "and(",
+        "or(",
+        "xor(",
+        "= Q 4.0",
+        "I 0.0",
+        "MW 2",
+        "NETWORK",
+        "NETWORK LAD",
+        "NETWORK FBD",
+        "NETWORK STL",
+        "TITLE = a",
+        "// a",
+        "\n",
+        "\n    ",
+        "\n        ",
+        "\t",
+        "\r\n",
+        "T 1",
+        "C 1",
+        "DB1.DBW 2",
+        "\"a\"",
+        "#a",
+        "L 20.0",
+        "S5T#2S",
+        "C#10",
+        ">I",
+        "==R",
+        "<0",
+        "OV",
+        "BR",
+        "FC 1",
+        "FB 1, DB 1",
+        "IN",
+        "OUT",
+        "S",
+        "R",
+        "TV",
+        "PV",
+        "CV",
+        "BI",
+        "EN",
+        "LABEL a:",
+        "JMP a",
+        "OR ( )",
+        "MID / M 0.0",
+        "/OR",
+        "/AND",
+        "/XOR",
+        "/CMP",
     ];
     let words = sieben_lang::network::elements::ELEMENTS.iter().map(|row| row.word);
     let boxes = sieben_lang::network::boxes::BOXES.iter().map(|row| row.name);

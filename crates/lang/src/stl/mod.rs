@@ -28,4 +28,4 @@ pub mod why;
 pub use convert::convert;
 pub use format::format;
 pub use look_alikes::latin;
-pub use parser::{Parsed, fuzz, parse};
+pub use parser::{Parsed, fuzz, fuzz_diagrams, parse};

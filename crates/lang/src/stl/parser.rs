@@ -133,6 +133,29 @@ pub fn fuzz(data: &[u8]) {
     let _ = super::convert::convert(&text, None, parsed.mnemonics.other());
 }
 
+/// The same for a source whose networks are diagrams: in the usual layout they are the same statements.
+pub fn fuzz_diagrams(data: &[u8]) {
+    let text = String::from_utf8_lossy(data);
+    for drawing in [Drawing::Lad, Drawing::Fbd] {
+        let parsed = parse_as(FileId::default(), &text, None, Some(drawing));
+        assert!(parsed.syntax().text() == text.as_ref(), "the tree holds every byte of the source");
+        if let Ok(once) = super::format::format_as(&text, Some(parsed.mnemonics), Some(drawing)) {
+            let twice = super::format::format_as(&once, Some(parsed.mnemonics), Some(drawing));
+            assert_eq!(twice.as_deref(), Ok(once.as_str()), "formatting a formatted source changes nothing");
+            let again = parse_as(FileId::default(), &once, Some(parsed.mnemonics), Some(drawing));
+            assert_eq!(statements(&again, &once), statements(&parsed, &text), "the layout changes no statement:\n{text}\nbecomes\n{once}");
+        }
+        let _ = super::convert::convert_as(&text, None, parsed.mnemonics.other(), Some(drawing));
+    }
+}
+
+/// The statements of a source as words, each with its operand as it is written.
+fn statements(parsed: &Parsed, text: &str) -> Vec<(String, String)> {
+    let written = |span: Span| text[span.start as usize..span.end as usize].split_whitespace().collect::<String>();
+    let all = parsed.file.blocks.iter().flat_map(|block| &block.statements);
+    all.map(|statement| (statement.mnemonic.text.clone(), written(statement.operand_span))).collect()
+}
+
 /// A word in the other mnemonic language and what it should be.
 struct Foreign {
     start: usize,

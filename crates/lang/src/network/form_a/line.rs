@@ -27,12 +27,27 @@ impl TextLine<'_> {
     }
 }
 
+/// The lines of a text with their ends: CR LF, LF, CR or a form feed.
+pub fn written_lines(text: &str) -> impl Iterator<Item = &str> {
+    let mut rest = text;
+    std::iter::from_fn(move || {
+        let end = match rest.find(['\n', '\r', '\u{c}']) {
+            Some(at) if rest[at..].starts_with("\r\n") => at + 2,
+            Some(at) => at + 1,
+            None => rest.len(),
+        };
+        let (line, more) = rest.split_at(end);
+        rest = more;
+        (!line.is_empty()).then_some(line)
+    })
+}
+
 /// The lines of a part of a text.
 pub(super) fn lines(text: &str, from: usize, to: usize) -> Vec<TextLine<'_>> {
     let mut out = Vec::new();
     let mut start = from;
     let mut after_empty = false;
-    for line in text[from..to].split_inclusive('\n') {
+    for line in written_lines(&text[from..to]) {
         let written = line.trim_end();
         let content = written.trim_start();
         let begin = start + (written.len() - content.len());

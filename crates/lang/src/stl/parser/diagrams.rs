@@ -68,10 +68,8 @@ impl Parser<'_> {
     pub(super) fn diagram(&mut self, block: &mut Block, drawing: Drawing) {
         let from = self.text[..self.position].rfind(['\n', '\r']).map_or(0, |at| at + 1);
         let from = if self.text[from..self.position].trim().is_empty() { from } else { self.position };
-        let to = self.diagram_end();
-        if to <= self.position {
-            return;
-        }
+        // What begins a diagram belongs to it, whatever it is.
+        let to = self.diagram_end().max(self.end);
         let start = self.position;
         self.bump_to(SyntaxKind::Diagram, to);
         let under_network = !block.networks.is_empty();
@@ -103,7 +101,7 @@ impl Parser<'_> {
     fn diagram_end(&self) -> usize {
         let mut at = self.position;
         let mut end = at;
-        for line in self.text[self.position..].split_inclusive('\n') {
+        for line in form_a::written_lines(&self.text[self.position..]) {
             let content = line.trim();
             let word = content.split(|sign: char| !(sign.is_alphanumeric() || sign == '_')).next().unwrap_or_default();
             let is_pin = [":=", "=>"].iter().any(|sign| content[word.len()..].trim_start().starts_with(sign));
@@ -252,7 +250,7 @@ pub(in crate::stl) fn layout(text: &str) -> String {
     if form_a::is_form_a(text, Flavour::S7) {
         return form_a::format(text, 0, text.len(), &form_a::parse(text, 0, text.len(), Flavour::S7));
     }
-    text.lines().map(|line| format!("{}\n", line.trim())).collect()
+    form_a::written_lines(text).map(|line| format!("{}\n", line.trim())).collect()
 }
 
 /// The number of a scratch bit in its network.
@@ -281,7 +279,7 @@ fn end_of(text: &str, operand: &str) -> usize {
 fn one_line_networks(text: &str, from: usize, to: usize, together: bool) -> Vec<(usize, String)> {
     let mut networks: Vec<(usize, String)> = Vec::new();
     let mut at = from;
-    for line in text[from..to].split_inclusive('\n') {
+    for line in form_a::written_lines(&text[from..to]) {
         let content = line.trim_end();
         let blank = content.len() - content.trim_start().len();
         let is_comment = content.trim_start().starts_with("//");
