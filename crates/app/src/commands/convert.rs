@@ -187,9 +187,9 @@ fn told(network: &RedrawnNetwork, rewriting: bool) -> Diagnostic {
             let message = format!("{block}, network {number} stays STL, {}: {}", refusal.reason, refusal.message());
             let diagnostic = Diagnostic::new(problem(refusal.reason.problem()), network.span, message);
             match (rewrite, refusal.reason.fix()) {
-                (Some(rewrite), "") => return diagnostic.help(rewrite),
-                (Some(rewrite), fix) => return diagnostic.help(format!("{fix}; {rewrite}")),
-                (None, "") => return diagnostic,
+                (Some(rewrite), "") => diagnostic.help(rewrite),
+                (Some(rewrite), fix) => diagnostic.help(format!("{fix}; {rewrite}")),
+                (None, "") => diagnostic,
                 (None, fix) => diagnostic.help(fix),
             }
         }
