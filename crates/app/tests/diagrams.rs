@@ -52,7 +52,7 @@ fn what_can_be_drawn_is_drawn_and_everything_else_keeps_its_bytes() {
     let drawn = drawn.replace("NETWORK\n      CALL  FC 1;\n      NOP   0;\n", "NETWORK LAD\n    CALL FC 1\n");
     assert_eq!(run.stdout, drawn);
     assert!(run.stderr.contains("FC 1, network 2 stays") && run.stderr.contains("`--rewrite` draws it (W1)"), "{}", run.stderr);
-    assert!(run.stderr.contains("FC 1, network 3 stays STL, R-OPCODE"), "{}", run.stderr);
+    assert!(run.stderr.contains("FC 1, network 3 stays as written, R-OPCODE"), "{}", run.stderr);
     assert!(run.stderr.contains("2 networks stay as written."), "{}", run.stderr);
     folder.write("main.lad.awl", drawn.as_bytes());
     assert_eq!(folder.run(&["convert", "main.lad.awl", "--to", "lad"]).stdout, drawn, "what is drawn stays");

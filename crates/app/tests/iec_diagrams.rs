@@ -255,20 +255,23 @@ const COMPARED: [(&str, [&str; 3]); 21] = [
 
 const COMPARISONS: [(&str, &str); 6] = [("GT", ">"), ("GE", ">="), ("EQ", "="), ("LE", "<="), ("LT", "<"), ("NE", "<>")];
 
+/// An expression, and its networks in LD and FBD.
+type Row = (String, String, String);
+
 /// A program that fills an array in Structured Text, as LD and as FBD; each row is the expression, and the two networks.
-fn three_forms(declarations: &str, of: &str, rows: &[(String, String, String)]) -> String {
+fn three_forms(declarations: &str, of: &str, rows: &[Row]) -> String {
     let last = rows.len() - 1;
     let mut text = String::new();
     let calls = "text(); ladder(); blocks();";
-    let mut block = |name: &str, first: &str, lines: &dyn Fn(usize, &(String, String, String)) -> String| {
+    let mut block = |name: &str, first: &str, lines: fn(usize, &Row) -> String| {
         let _ =
             write!(text, "FUNCTION_BLOCK {name}\nVAR_OUTPUT o : ARRAY[0..{last}] OF {of}; END_VAR\nVAR\n{declarations}END_VAR\n{first}\n");
         rows.iter().enumerate().for_each(|(index, row)| text.push_str(&lines(index, row)));
         text.push_str("END_FUNCTION_BLOCK\n");
     };
-    block("InText", "", &|index, row| format!("o[{index}] := {};\n", row.0));
-    block("AsLadder", "LD", &|index, row| format!("NETWORK\n    {}\n", row.1.replace('@', &format!("o[{index}]"))));
-    block("AsBlocks", "FBD", &|index, row| format!("NETWORK\n    {}\n", row.2.replace('@', &format!("o[{index}]"))));
+    block("InText", "", |index, row| format!("o[{index}] := {};\n", row.0));
+    block("AsLadder", "LD", |index, row| format!("NETWORK\n    {}\n", row.1.replace('@', &format!("o[{index}]"))));
+    block("AsBlocks", "FBD", |index, row| format!("NETWORK\n    {}\n", row.2.replace('@', &format!("o[{index}]"))));
     let _ = write!(text, "PROGRAM Main\nVAR text : InText; ladder : AsLadder; blocks : AsBlocks; END_VAR\n{calls}\nEND_PROGRAM\n");
     text
 }

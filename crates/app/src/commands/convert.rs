@@ -184,7 +184,7 @@ fn told(network: &RedrawnNetwork, rewriting: bool) -> Diagnostic {
     let rewrite = (!codes.is_empty() && !rewriting).then(|| format!("`--rewrite` draws it ({})", codes.join(", ")));
     match &network.refusal {
         Some(refusal) => {
-            let message = format!("{block}, network {number} stays STL, {}: {}", refusal.reason, refusal.message());
+            let message = format!("{block}, network {number} stays as written, {}: {}", refusal.reason, refusal.message());
             let diagnostic = Diagnostic::new(problem(refusal.reason.problem()), network.span, message);
             match (rewrite, refusal.reason.fix()) {
                 (Some(rewrite), "") => diagnostic.help(rewrite),
