@@ -132,3 +132,52 @@ fn what_cannot_be_done_is_said() {
     let form = folder.run(&["convert", "main.awl", "--mnemonics", "de", "--form", "b"]);
     assert_eq!(form.code, Some(2));
 }
+
+#[test]
+fn what_convert_writes_compiles_whatever_the_size() {
+    let chain = format!("NETWORK\n{}      =     Q 4.0;\n", "      A     I 0.0;\n      O     I 0.1;\n".repeat(4000));
+    let wide = format!("NETWORK\n{}      =     Q 4.0;\n", "      A     I 0.0;\n".repeat(9000));
+    let deep = format!("NETWORK\n{}      =     Q 4.0;\n", "      A     I 0.0;\n      O     I 0.1;\n".repeat(5));
+    let folder = Folder::with(&[("chain.awl", &chain), ("wide.awl", &wide), ("deep.awl", &deep)]);
+    for (name, code) in [("chain.awl", "R-DEPTH"), ("wide.awl", "R-SIZE"), ("deep.awl", "")] {
+        let run = folder.run(&["convert", name, "--to", "lad", "--rewrite", "--write"]);
+        assert_eq!(run.code, Some(0), "{name}: {}", run.stderr);
+        assert!(run.stderr.contains(code), "{name}: {}", run.stderr);
+        assert_eq!(folder.run(&["check", name]).code, Some(0), "{name}");
+        assert_eq!(folder.run(&["render", name]).code, Some(0), "{name}");
+    }
+    assert!(String::from_utf8_lossy(&folder.read("deep.awl")).contains("NETWORK LAD"));
+}
+
+#[test]
+fn empty_networks_mixed_line_ends_and_labels_in_use_are_kept() {
+    let source = "\
+FUNCTION FC 1 : VOID
+BEGIN
+NETWORK
+TITLE = Nothing yet
+END_FUNCTION
+ORGANIZATION_BLOCK OB 1
+BEGIN
+NETWORK LAD\r
+    NO  I 0.0\r
+    MOVE 1 => MW 0\r
+NETWORK
+      A     I 0.1;
+      JNB   _001;
+      L     2;
+      T     MW 2;
+_001: NOP   0;
+END_ORGANIZATION_BLOCK
+";
+    let folder = Folder::with(&[("main.awl", source)]);
+    let stl = folder.run(&["convert", "main.awl", "--to", "stl"]);
+    let network = "NETWORK\r\n      A     I 0.0;\r\n      JNB   _002;\r\n      L     1;\r\n      T     MW 0;\r\n_002: NOP   0;\r\n";
+    assert!(stl.stdout.contains(network), "{:?}", stl.stdout);
+    assert!(stl.stdout.contains("TITLE = Nothing yet\nEND_FUNCTION\n"), "{:?}", stl.stdout);
+    folder.write("stl.awl", stl.stdout.as_bytes());
+    assert_eq!(folder.run(&["check", "stl.awl"]).code, Some(0), "{}", stl.stdout);
+    let lad = folder.run(&["convert", "main.awl", "--to", "lad", "--json"]);
+    let all: Value = serde_json::from_str(&lad.stdout).unwrap_or_else(|error| panic!("{error}: {}", lad.stdout));
+    assert_eq!((&all[0]["block"], &all[0]["answer"]), (&"FC 1".into(), &"exact".into()));
+}

@@ -410,4 +410,5 @@ problems! {
     P9018 Warning "an operand of another width than the box takes (R-WIDTH)" "Move it to an operand of the right width first; MOVE takes any.";
     P9019 Warning "a comparison that is jumped over like a box with EN (R-MIX)" "Compare without the jump: a comparison is a contact.";
     P9020 Warning "a network whose diagram means the same but gives other statements" "Use `convert --rewrite` to draw it.";
+    P9021 Warning "a network with more elements than a diagram may have (R-SIZE)" "Divide the network into several.";
 }

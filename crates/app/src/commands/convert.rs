@@ -143,6 +143,12 @@ fn networks(arguments: &Arguments, rewriting: &Rewriting, to: NetworkTarget) -> 
         mode: if arguments.rewrite { Mode::RewritingConstants } else { Mode::Strict },
     };
     let sources = diagrams::sources(&build);
+    if sources.is_empty() {
+        let message = "there is no source of STL, LAD or FBD here";
+        return Err(
+            Failure::usage(Problem::P7001, message).help("diagrams in Structured Text are not converted; `sieben render` draws them")
+        );
+    }
     if sources.len() > 1 && !arguments.json && matches!(rewriting.destination, Destination::Print | Destination::File(_)) {
         let message = format!("{} sources cannot go into one place", sources.len());
         return Err(Failure::usage(Problem::P7001, message).help("give one file, or `--write` to replace each of them"));
@@ -162,15 +168,14 @@ fn networks(arguments: &Arguments, rewriting: &Rewriting, to: NetworkTarget) -> 
         output::print_json(&Value::Array(all), true)?;
     } else if !findings.is_empty() {
         output::message(&report::pieces(&findings, &build.project.texts, output::colour()).concat());
+    }
+    if !findings.is_empty() {
         let (count, verb) =
             if findings.len() == 1 { ("1 network".to_owned(), "stays") } else { (format!("{} networks", findings.len()), "stay") };
         output::message(&format!("{count} {verb} as written.\n"));
     }
     Ok(Exit::Success)
 }
-
-/// The number of the problem code of a network whose diagram gives other statements.
-const DIFFERENT_STATEMENTS: u16 = 9020;
 
 /// The problem with a number.
 fn problem(number: u16) -> Problem {
@@ -195,7 +200,7 @@ fn told(network: &RedrawnNetwork, rewriting: bool) -> Diagnostic {
         }
         None => {
             let message = format!("{block}, network {number} stays as written: drawn it would mean the same, but give other statements");
-            Diagnostic::new(problem(DIFFERENT_STATEMENTS), network.span, message).help(rewrite.unwrap_or_default())
+            Diagnostic::new(Problem::P9020, network.span, message).help(rewrite.unwrap_or_default())
         }
     }
 }
@@ -213,6 +218,10 @@ fn to_json(file: &str, network: &RedrawnNetwork) -> Value {
         fields.insert("reason".to_owned(), json!(refusal.reason.code()));
         fields.insert("statement".to_owned(), json!(refusal.statement + 1));
         fields.insert("message".to_owned(), json!(refusal.message()));
+    } else if network.answer == AnswerKind::Equivalent
+        && let Some(fields) = object.as_object_mut()
+    {
+        fields.insert("message".to_owned(), json!(Problem::P9020.title()));
     }
     object
 }

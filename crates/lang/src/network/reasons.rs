@@ -62,6 +62,8 @@ reasons! {
     Neg { code: "R-NEG", problem: 9017, sentence: "ladder has no edge, NOT or box for a part in the middle of a line", fix: "draw it as FBD" }
     /// Operands whose width the box does not take.
     Width { code: "R-WIDTH", problem: 9018, sentence: "the width of this operand does not fit the box", fix: "move it to an operand of the width of the box first" }
+    /// More elements than a diagram has.
+    Size { code: "R-SIZE", problem: 9021, sentence: "the network has more elements than a diagram may have", fix: "divide it into several networks" }
     /// A comparison with an EN.
     Mix { code: "R-MIX", problem: 9019, sentence: "a comparison is a contact and has no EN", fix: "take JNB away" }
 }

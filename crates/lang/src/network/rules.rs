@@ -31,6 +31,27 @@ pub fn mistakes(network: &Network, flavour: Flavour, drawing: Option<Drawing>) -
     rules.found
 }
 
+/// What a diagram has too much of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Limit {
+    /// Elements.
+    Elements,
+    /// Brackets inside one another.
+    Brackets,
+}
+
+/// What a network has too much of, if anything.
+pub fn limit(network: &Network) -> Option<Limit> {
+    let mut rules = Rules { flavour: Flavour::S7, drawing: None, found: Vec::new(), place: Place::default(), elements: 0 };
+    if let Content::Rung(rung) = &network.content {
+        rules.rung(rung, Begin::Rail);
+    }
+    match rules.elements > ELEMENTS_MAX {
+        true => Some(Limit::Elements),
+        false => rules.found.iter().any(|mistake| mistake.kind == MistakeKind::Size).then_some(Limit::Brackets),
+    }
+}
+
 /// What a line begins at.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Begin {

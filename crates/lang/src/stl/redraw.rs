@@ -143,18 +143,25 @@ impl Source<'_> {
         parse_as(self.file, self.text, Some(self.mnemonics), self.drawing)
     }
 
+    /// The blocks of the source with what came of them; one without statements is known by its number.
     fn blocks_of<'p>(&'p self, parsed: &'p Parsed) -> impl Iterator<Item = (&'p ast::Block, &'p ResolvedBlock)> {
-        parsed.file.blocks.iter().filter_map(|block| {
-            let inside =
-                |span: Span| span.file == self.file && block.span.start <= span.start && span.end <= block.span.end.max(span.start);
-            let first = block.statements.first()?.span;
-            let resolved = self.blocks.iter().find(|resolved| {
-                resolved
-                    .statements
-                    .first()
-                    .is_some_and(|statement| inside(statement.span()) && statement.span().start >= first.start.min(statement.span().start))
-            })?;
-            Some((block, *resolved))
+        let starts = self.blocks.iter().filter_map(|resolved| {
+            let span = resolved.statements.first()?.span();
+            (span.file == self.file).then_some((span.start, *resolved))
+        });
+        let mut starts: Vec<(u32, &ResolvedBlock)> = starts.collect();
+        starts.sort_by_key(|(start, _)| *start);
+        parsed.file.blocks.iter().filter_map(move |block| {
+            let next = starts.partition_point(|(start, _)| *start < block.span.start);
+            let by_place = starts.get(next).filter(|(start, _)| *start <= block.span.end).map(|(_, resolved)| *resolved);
+            let by_number = || match &block.name {
+                ast::BlockName::Absolute { kind, number, .. } => {
+                    let id = BlockId::new(*kind, u16::try_from(*number).ok()?);
+                    self.blocks.iter().find(|resolved| resolved.id == id).copied()
+                }
+                ast::BlockName::Symbol(_) => None,
+            };
+            Some((block, by_place.or_else(by_number)?))
         })
     }
 
@@ -168,7 +175,7 @@ impl Source<'_> {
             if redrawing.block.is_some_and(|wanted| wanted != resolved.id) {
                 continue;
             }
-            let mut labels = 0;
+            let mut labels = Labels::of(block);
             for network in networks(self.text, block, resolved, self.mnemonics, redrawing.mode) {
                 let one = One { source: self, redrawing, network: &network, diagrams: &diagrams };
                 let (redrawn, edit) = one.redraw(resolved.id, &mut labels);
@@ -185,7 +192,6 @@ impl Source<'_> {
             at = to.max(from);
         }
         text.push_str(self.text.get(at..).unwrap_or_default());
-        let text = if self.text.contains("\r\n") { text.replace("\r\n", "\n").replace('\n', "\r\n") } else { text };
         Redrawn { text, networks: out }
     }
 }
@@ -209,7 +215,7 @@ struct One<'a> {
 type Edit = (usize, usize, String);
 
 impl One<'_> {
-    fn redraw(&self, block: BlockId, labels: &mut u32) -> (RedrawnNetwork, Option<Edit>) {
+    fn redraw(&self, block: BlockId, labels: &mut Labels) -> (RedrawnNetwork, Option<Edit>) {
         let drawing = match self.redrawing.target {
             Target::Diagram(drawing, _) => Some(drawing),
             Target::Statements => None,
@@ -371,7 +377,7 @@ impl One<'_> {
     }
 
     /// The replacement of the network with its head.
-    fn edit(&self, networks: &[Network], drawing: Option<Drawing>, labels: &mut u32) -> Option<Edit> {
+    fn edit(&self, networks: &[Network], drawing: Option<Drawing>, labels: &mut Labels) -> Option<Edit> {
         let text = self.source.text;
         let usual = self.source.drawing == drawing;
         let word = match (usual, drawing) {
@@ -415,6 +421,9 @@ impl One<'_> {
                 new.push('\n');
             }
         }
+        // The line ends are those that the network has.
+        let line_end = text.get(begin..).and_then(|rest| rest.split_inclusive('\n').next()).filter(|line| line.ends_with("\r\n"));
+        let new = if line_end.is_some() { new.replace("\r\n", "\n").replace('\n', "\r\n") } else { new };
         Some((begin, to, new))
     }
 
@@ -437,14 +446,13 @@ impl One<'_> {
     }
 
     /// The statements with the labels of boxes counted through the block.
-    fn renumbered(&self, labels: &mut u32) -> String {
+    fn renumbered(&self, labels: &mut Labels) -> String {
         let mut this = self.network.clone();
         let mut names = std::collections::HashMap::new();
         for statement in &this.statements {
             let generated = statement.mnemonic == "JNB" && statement.operand.starts_with('_') && self.network.drawing.is_some();
             if generated {
-                *labels += 1;
-                names.insert(statement.operand.text.clone(), format!("_{labels:03x}"));
+                names.insert(statement.operand.text.clone(), labels.next());
             }
         }
         for statement in &mut this.statements {
@@ -456,6 +464,29 @@ impl One<'_> {
             }
         }
         One { network: &this, ..*self }.statements()
+    }
+}
+
+/// The labels of boxes in a block, counted through it past those that are written.
+struct Labels {
+    count: u32,
+    taken: HashSet<String>,
+}
+
+impl Labels {
+    fn of(block: &ast::Block) -> Self {
+        let labels = block.statements.iter().filter_map(|statement| statement.label.as_ref());
+        Self { count: 0, taken: labels.map(|label| label.text.clone()).collect() }
+    }
+
+    fn next(&mut self) -> String {
+        loop {
+            self.count += 1;
+            let name = format!("_{:03x}", self.count);
+            if !self.taken.contains(&name) {
+                return name;
+            }
+        }
     }
 }
 

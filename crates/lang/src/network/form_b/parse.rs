@@ -17,6 +17,8 @@ pub(super) struct Wrong {
     pub(super) at: usize,
     /// What is expected there.
     pub(super) message: String,
+    /// Which kind of mistake it is.
+    pub(super) kind: MistakeKind,
 }
 
 pub(super) type Parsed<T> = Result<T, Wrong>;
@@ -29,7 +31,7 @@ pub(super) type Parsed<T> = Result<T, Wrong>;
 pub fn parse(text: &str, offset: usize, flavour: Flavour) -> Result<Network, Mistake> {
     let network = syntax(text, offset, flavour).map_err(|wrong| {
         let sign = wrong.at.checked_sub(offset).and_then(|at| text.get(at..)).and_then(|rest| rest.chars().next());
-        Mistake::new(MistakeKind::Line, wrong.at, wrong.at + sign.map_or(0, char::len_utf8), wrong.message)
+        Mistake::new(wrong.kind, wrong.at, wrong.at + sign.map_or(0, char::len_utf8), wrong.message)
     })?;
     match rules::mistakes(&network, flavour, None).into_iter().next() {
         // What no element names lies at the beginning of the line.

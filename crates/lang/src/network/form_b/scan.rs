@@ -2,6 +2,7 @@
 
 use super::parse::{Parsed, Wrong};
 use crate::network::flavour::Flavour;
+use crate::network::mistake::MistakeKind;
 use crate::network::model::Place;
 use crate::network::operand::Operand;
 
@@ -45,7 +46,7 @@ impl<'t> Scanner<'t> {
 
     /// A message at a byte of the line.
     pub(super) fn wrong_at<T>(&self, at: usize, message: impl Into<String>) -> Parsed<T> {
-        Err(Wrong { at: self.offset + at, message: message.into() })
+        Err(Wrong { at: self.offset + at, message: message.into(), kind: MistakeKind::Line })
     }
 
     /// From a byte of the line to the last one that was read.
@@ -97,7 +98,11 @@ impl<'t> Scanner<'t> {
     /// Goes into a bracket; refuses where they nest too deep.
     pub(super) fn enter(&mut self) -> Parsed<()> {
         self.depth += 1;
-        if self.depth > NESTING_MAX { self.wrong(format!("brackets nest deeper than {NESTING_MAX}")) } else { Ok(()) }
+        if self.depth <= NESTING_MAX {
+            return Ok(());
+        }
+        let message = format!("brackets nest deeper than {NESTING_MAX}");
+        Err(Wrong { at: self.offset + self.at, message, kind: MistakeKind::Size })
     }
 
     pub(super) fn leave(&mut self) {

@@ -35,6 +35,8 @@ pub(super) struct Logic {
     started: bool,
     /// The tapped line comes from the left of the series; the statement that reads it.
     left: Option<Place>,
+    /// How many brackets lie inside one another because more logic came after a parallel.
+    closed: usize,
 }
 
 impl Logic {
@@ -79,28 +81,35 @@ impl Reader<'_> {
 
     fn finish(&mut self, mut logic: Logic, inside: Inside) -> Read<Line> {
         self.logic(&mut logic, inside)?;
-        self.close(&mut logic);
+        self.close(&mut logic)?;
         // Whether it can come from the left is decided when the whole rung is read.
         logic.take_left();
         Ok(logic.series)
     }
 
+    /// What was read so far lies one bracket deeper.
+    fn deeper(&self, logic: &mut Logic) -> Read<()> {
+        logic.closed += 1;
+        if self.depth + logic.closed > NESTING_MAX + 1 { self.refuse(Reason::Depth, self.at) } else { Ok(()) }
+    }
+
     /// All that was read as one series.
-    fn close(&mut self, logic: &mut Logic) {
+    fn close(&mut self, logic: &mut Logic) -> Read<()> {
         if !logic.xor.is_empty() {
             let mut inputs = std::mem::take(&mut logic.xor);
             if let [_] = inputs.as_slice() {
                 // An X that was the first check.
                 self.rewrite(Rewrite::FirstCheck);
                 logic.series = inputs.pop().map(|only| only.line).unwrap_or_default();
-                return;
+                return Ok(());
             }
             let place = around(inputs.iter().map(|input| input.line.as_slice()));
+            self.deeper(logic)?;
             logic.series = vec![Kind::Xor { inputs, negated: false }.at(place)];
-            return;
+            return Ok(());
         }
         if logic.terms.is_empty() {
-            return;
+            return Ok(());
         }
         if !logic.series.is_empty() || logic.open {
             let line = std::mem::take(&mut logic.series);
@@ -115,11 +124,13 @@ impl Reader<'_> {
         if let [_] = branches.as_slice() {
             self.rewrite(Rewrite::FirstCheck);
             logic.series = branches.pop().map(|only| only.line).unwrap_or_default();
-            return;
+            return Ok(());
         }
         keep_needed_flags(&mut branches);
         let place = around(branches.iter().map(|branch| branch.line.as_slice()));
+        self.deeper(logic)?;
         logic.series = vec![Kind::Parallel { branches, negated: false }.at(place)];
+        Ok(())
     }
 
     fn logic(&mut self, logic: &mut Logic, inside: Inside) -> Read<()> {
@@ -140,7 +151,7 @@ impl Reader<'_> {
                     }
                     self.at += 1;
                     if !logic.terms.is_empty() || !logic.xor.is_empty() {
-                        self.close(logic);
+                        self.close(logic)?;
                         self.rewrite(Rewrite::Brackets);
                     }
                     let kind = match statement.mnemonic {
@@ -152,7 +163,7 @@ impl Reader<'_> {
                 "=" if logic.started && self.is_midline(at) => {
                     self.at += 2;
                     if !logic.terms.is_empty() || !logic.xor.is_empty() {
-                        self.close(logic);
+                        self.close(logic)?;
                         self.rewrite(Rewrite::Brackets);
                     }
                     let negated = self.mnemonic_at(at + 1) == "AN";
@@ -200,8 +211,7 @@ impl Reader<'_> {
             element =
                 Kind::EdgeBox { falling: edge.mnemonic == "FN", operand: statement.operand.clone(), memory }.at(self.place(at, at + 2));
         }
-        self.combine(logic, Joint::of(statement.mnemonic), vec![element], Bracketed::No, self.place(at, at));
-        Ok(())
+        self.combine(logic, Joint::of(statement.mnemonic), vec![element], Bracketed::No, self.place(at, at))
     }
 
     fn bracket(&mut self, logic: &mut Logic) -> Read<()> {
@@ -236,8 +246,7 @@ impl Reader<'_> {
         self.depth -= 1;
         let place = self.place(at, self.at - 1);
         let line = if mnemonic.contains('N') { negate(line, place) } else { line };
-        self.combine(logic, Joint::of(mnemonic), line, Bracketed::Yes, place);
-        Ok(())
+        self.combine(logic, Joint::of(mnemonic), line, Bracketed::Yes, place)
     }
 
     fn bare_or(&mut self, logic: &mut Logic) -> Read<()> {
@@ -247,7 +256,7 @@ impl Reader<'_> {
         }
         self.at += 1;
         if !logic.xor.is_empty() {
-            self.close(logic);
+            self.close(logic)?;
         }
         logic.take_left();
         if !logic.series.is_empty() || logic.open {
@@ -273,7 +282,7 @@ impl Reader<'_> {
     }
 
     /// Combines an operand with what the RLO says.
-    fn combine(&mut self, logic: &mut Logic, joint: Joint, mut line: Line, bracketed: Bracketed, place: Place) {
+    fn combine(&mut self, logic: &mut Logic, joint: Joint, mut line: Line, bracketed: Bracketed, place: Place) -> Read<()> {
         let first = !logic.started;
         logic.started = true;
         match joint {
@@ -284,7 +293,7 @@ impl Reader<'_> {
                         let whole = logic.xor.is_empty() && self.depth == 0 && self.is_outside_of_slots();
                         self.rewrite(if whole { Rewrite::ParallelBracket } else { Rewrite::Brackets });
                     }
-                    self.close(logic);
+                    self.close(logic)?;
                 }
                 let fresh = logic.series.is_empty() && logic.left.is_none();
                 if bracketed == Bracketed::Yes && !fresh && line.iter().any(|one| one.kind.acts_on_line()) {
@@ -295,7 +304,7 @@ impl Reader<'_> {
             }
             Joint::Or => {
                 if !logic.xor.is_empty() {
-                    self.close(logic);
+                    self.close(logic)?;
                     self.rewrite(Rewrite::Brackets);
                 }
                 logic.take_left();
@@ -310,7 +319,7 @@ impl Reader<'_> {
                     if !logic.terms.is_empty() {
                         self.rewrite(Rewrite::Brackets);
                     }
-                    self.close(logic);
+                    self.close(logic)?;
                     let line = std::mem::take(&mut logic.series);
                     if !line.is_empty() {
                         self.rewrite(if line.len() == 1 { Rewrite::FirstCheck } else { Rewrite::Brackets });
@@ -320,6 +329,7 @@ impl Reader<'_> {
                 logic.xor.push(XorInput { line, negated: false });
             }
         }
+        Ok(())
     }
 
     /// `= x; A x`, where x is no bit of a T-branch.

@@ -10,6 +10,7 @@ use std::collections::BTreeSet;
 
 use super::model::{Content, Network};
 use super::reasons::{Reason, Refusal, Rewrite};
+use super::rules;
 use super::statement::Statement;
 use super::write::write;
 use rung::{Named, Reader};
@@ -77,6 +78,7 @@ pub enum Answer {
 /// Draws the statements of a network. `scratch` is the first free bit of local data of the block.
 pub fn draw(statements: &[Statement], around: &dyn Surroundings, scratch: u32, mode: Mode) -> Answer {
     let strict = read(statements, around, Mode::Strict);
+    let strict = strict.and_then(within_limits);
     let refusal = match strict {
         Ok(mut reading) => {
             let Some(network) = reading.networks.first() else { return Answer::Exact(Network::default()) };
@@ -97,7 +99,7 @@ pub fn draw(statements: &[Statement], around: &dyn Surroundings, scratch: u32, m
         }
         Err(refusal) => refusal,
     };
-    match read(statements, around, mode.max(Mode::Rewriting)) {
+    match read(statements, around, mode.max(Mode::Rewriting)).and_then(within_limits) {
         Ok(reading) => Answer::Equivalent(renumbered(reading, statements, around, scratch), Some(refusal)),
         Err(_) => Answer::No(refusal),
     }
@@ -114,6 +116,17 @@ fn renumbered(mut reading: Reading, statements: &[Statement], around: &dyn Surro
         reading.rewrites.insert(Rewrite::Renumber);
     }
     reading
+}
+
+/// What the text forms can hold: a diagram that is written down must be read again.
+fn within_limits(reading: Reading) -> Result<Reading, Refusal> {
+    for (network, start) in reading.networks.iter().zip(&reading.starts) {
+        if let Some(limit) = rules::limit(network) {
+            let reason = if limit == rules::Limit::Elements { Reason::Size } else { Reason::Depth };
+            return Err(Refusal::new(reason, *start));
+        }
+    }
+    Ok(reading)
 }
 
 /// Reads the statements of a network. With [`Mode::Strict`] they make one diagram.
