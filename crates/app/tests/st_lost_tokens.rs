@@ -91,6 +91,10 @@ fn lose(programs: Vec<Program>, step: usize, tokens_min: usize) {
             if seen % step != 0 {
                 continue;
             }
+            // A diagram without the word before it is read as statements, of which each is wrong.
+            if token.kind() == SyntaxKind::Keyword && matches!(token.text(), "LD" | "FBD") {
+                continue;
+            }
             let range = token.text_range();
             let (start, end) = (usize::from(range.start()), usize::from(range.end()));
             let found = errors(&format!("{} {}", &text[..start], &text[end..]), dialect, &options);

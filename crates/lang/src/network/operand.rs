@@ -77,6 +77,12 @@ impl Operand {
         Self::at(compact(text), start)
     }
 
+    /// As the name of a pin or a variable is written: in quotes if it has other signs than letters, digits and `_`.
+    pub fn as_name(&self) -> String {
+        let plain = self.chars().all(|sign| sign.is_alphanumeric() || sign == '_');
+        if plain { self.text.clone() } else { format!("\"{}\"", self.text) }
+    }
+
     /// As people read it: `I 0.0`, `MW 10`, `DB10.DBX 0.0`.
     pub fn spaced(&self) -> String {
         let text = self.text.as_str();

@@ -242,10 +242,7 @@ impl<'a> Reader<'a> {
                 Some(Section::Output | Section::Return) => Passing::Out,
                 _ => Passing::In,
             };
-            let name = &one.name.text;
-            let plain = name.chars().all(|sign| sign.is_alphanumeric() || sign == '_');
-            let name = if plain { name.clone() } else { format!("\"{name}\"") };
-            Parameter { name: name.into(), actual: self.operand(&one.value, one.span).into(), passing }
+            Parameter { name: one.name.text.as_str().into(), actual: self.operand(&one.value, one.span).into(), passing }
         });
         Statement {
             instance: call.instance.as_ref().map(|(operand, span)| self.operand(operand, *span).into()),

@@ -395,14 +395,16 @@ impl One<'_> {
                 vec![renumbered]
             }
         };
+        // A network without statements has its place after the word that says how it is written.
+        let head_end = if has_head { notation_after(text, head + "NETWORK".len()) } else { 0 };
         let (from, to) = self.extent();
+        let (from, to) = (from.max(head_end), to.max(head_end));
         let mut new = String::new();
-        let keyword_end = head + 7;
+        let keyword_end = head + "NETWORK".len();
         let begin = if has_head { keyword_end } else { from };
         if has_head {
             new.push_str(&word);
-            let after_notation = notation_after(text, keyword_end);
-            new.push_str(text.get(after_notation..from).unwrap_or_default());
+            new.push_str(text.get(head_end..from).unwrap_or_default());
         } else {
             new.push_str(&format!("NETWORK{word}\n"));
         }
@@ -551,11 +553,8 @@ fn statement_line(statement: &Statement, mnemonics: Mnemonics) -> String {
             line.push_str(&format!(", {}", instance.spaced()));
         }
         if !statement.parameters.is_empty() {
-            let parameters: Vec<String> = statement
-                .parameters
-                .iter()
-                .map(|one| format!("        {} := {}", one.name.trim_matches('"'), one.actual.spaced()))
-                .collect();
+            let parameters: Vec<String> =
+                statement.parameters.iter().map(|one| format!("        {} := {}", one.name.as_name(), one.actual.spaced())).collect();
             line.push_str(&format!(" (\n{})", parameters.join(",\n")));
         }
     }

@@ -302,6 +302,9 @@ impl<'t> Parser<'_, 't> {
                 self.wrong(Mistake::new(MistakeKind::Pin, pin.start, pin.end, message).help("write `NAME := …` or `NAME => …`"));
                 continue;
             };
+            // The quotes belong to how it is written, not to the name.
+            let plain = name.text.trim_matches('"').to_owned();
+            let name = Operand { text: plain, ..name };
             let actual = match pin.wire {
                 Wire::Output(operand) => Actual::Output(operand),
                 Wire::Logic(line) => Actual::Logic(line),

@@ -180,15 +180,15 @@ impl Printer<'_> {
                     match &pin.actual {
                         Actual::Direct(actual) => {
                             let sign = if actual.is_bit_address() { "=" } else { "" };
-                            self.line(level + 1, format!("{} := {sign}{}", pin.name, actual.spaced()));
+                            self.line(level + 1, format!("{} := {sign}{}", pin.name.as_name(), actual.spaced()));
                         }
-                        Actual::Output(actual) => self.line(level + 1, format!("{} => {}", pin.name, actual.spaced())),
+                        Actual::Output(actual) => self.line(level + 1, format!("{} => {}", pin.name.as_name(), actual.spaced())),
                         Actual::Logic(line) => match line.as_slice() {
                             [Element { kind: Kind::Contact { operand, negated }, .. }] if operand.is_bit_address() || *negated => {
                                 let sign = if *negated { "/" } else { "" };
-                                self.line(level + 1, format!("{} := {sign}{}", pin.name, operand.spaced()));
+                                self.line(level + 1, format!("{} := {sign}{}", pin.name.as_name(), operand.spaced()));
                             }
-                            line => self.logic(level + 1, &pin.name, Some(line)),
+                            line => self.logic(level + 1, &pin.name.as_name(), Some(line)),
                         },
                     }
                 }

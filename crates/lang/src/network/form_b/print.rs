@@ -196,7 +196,7 @@ impl Printer {
 
     fn call(&self, block: &Operand, instance: Option<&Operand>, pins: &[Pin]) -> String {
         let one = |pin: &Pin| {
-            let name = pin_name(&pin.name);
+            let name = pin.name.as_name();
             match &pin.actual {
                 Actual::Direct(actual) if actual.is_bit_address() => format!("{name} := ={actual}"),
                 Actual::Direct(actual) => format!("{name} := {actual}"),
@@ -302,11 +302,6 @@ fn above(name: &str, operand: &Operand, pins: &[String]) -> String {
 
 fn output_pin(name: &str, output: Option<&Operand>) -> Option<String> {
     output.map(|output| format!("{name} => {output}"))
-}
-
-/// A name of a parameter that is more than a word stands in quotes.
-fn pin_name(name: &Operand) -> String {
-    if name.chars().all(|sign| sign.is_alphanumeric() || sign == '_') { name.to_string() } else { format!("\"{name}\"") }
 }
 
 fn output(output: &Output) -> String {
