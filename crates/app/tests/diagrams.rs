@@ -81,7 +81,7 @@ fn a_diagram_becomes_the_statements_it_stands_for_and_is_drawn_the_same_again() 
     let again = folder.run(&["convert", "main.awl", "--to", "lad"]);
     assert_eq!(again.stdout.replace("NETWORK LAD", "NETWORK"), diagram.replace("    // the end", "      // the end"), "{}", again.stderr);
     let line = folder.run(&["convert", "main.lad", "--to", "fbd", "--form", "b"]);
-    assert!(line.stdout.contains("S_ODT[T5]"), "{}", line.stdout);
+    assert!(line.stdout.contains("S_ODT[T 5]"), "{}", line.stdout);
     folder.write("line.fbd", line.stdout.replace("NETWORK FBD", "NETWORK").as_bytes());
     let check = folder.run(&["check", "line.fbd"]);
     assert_eq!(check.code, Some(0), "{}{}", line.stdout, check.stderr);

@@ -60,7 +60,7 @@ Network 3
       =     Q 4.1;
       A     I 0.4;
       =     Q 4.2;
-Stays STL: `A I0.4` (line 21): a second string of logic begins here, and one network of a diagram holds one; split into 2 networks here
+Stays STL: `A I 0.4` (line 21), R-TWO: a second string of logic begins here, and one network of a diagram holds one; split into 2 networks here
 ";
     assert_eq!(shown.stdout, wanted);
 }
@@ -141,10 +141,10 @@ fn the_status_is_that_of_the_last_scan() {
         run.stdout
     };
     let held = "\
-│ I0.0    I0.1    Q4.0
+│ I 0.0   I 0.1   Q 4.0
 ├══┤ ├══┬══┤/├═════( )══┤
 │   0   ║   0       1
-│ Q4.0  ║
+│ Q 4.0 ║
 ├══┤ ├══┘
     1
 ";
@@ -152,10 +152,10 @@ fn the_status_is_that_of_the_last_scan() {
     let held = held.replacen("├══┤ ├══┬", "├══┤ ├┄┄┬", 1);
     assert_eq!(status(&["FC1/1", "--set", "I0.7=1", "--at", "0ms", "I0.0=1", "--at", "20ms", "I0.0=0", "--scans", "4"]), held);
     let skipped = "\
-│ I0.0    I0.1    Q4.0
+│ I 0.0   I 0.1   Q 4.0
 ├··┤ ├··┬··┤/├·····( )··┤
 │   –   ·   –       –
-│ Q4.0  ·
+│ Q 4.0 ·
 ├··┤ ├··┘
     –
 ";

@@ -6,6 +6,7 @@ use clap::Args;
 use serde_json::{Value, json};
 use sieben_ide::drawing::text::Characters;
 use sieben_model::block::BlockId;
+use sieben_model::problems::Problem;
 
 use crate::arguments::ProgramArguments;
 use crate::diagrams::{self, CodeBlock, Diagrams, Form, Kind, Shown, Written};
@@ -33,7 +34,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "NAME")]
     block: Option<String>,
     /// This network, from 1 [default: all]
-    #[arg(long, value_name = "N", requires = "block", value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     network: Option<u32>,
     /// How networks are shown
     #[arg(long = "as", value_name = "FORM", default_value = "lad")]
@@ -91,7 +92,16 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
 
 fn choose<'d>(arguments: &Arguments, diagrams: &'d Diagrams<'_>) -> Result<Vec<Chosen<'d>>, Failure> {
     let Some(name) = &arguments.block else {
-        return Ok(diagrams.blocks().map(|(id, block)| (id, block, block.networks.iter().collect())).collect());
+        // Without a block the network of that number in each block that has one.
+        let wanted = |number: u32| arguments.network.is_none_or(|wanted| wanted == number);
+        let chosen =
+            diagrams.blocks().map(|(id, block)| (id, block, block.networks.iter().filter(|network| wanted(network.number)).collect()));
+        let chosen: Vec<Chosen<'d>> =
+            chosen.filter(|(_, _, networks): &Chosen<'d>| arguments.network.is_none() || !networks.is_empty()).collect();
+        return match (arguments.network, chosen.is_empty()) {
+            (Some(number), true) => Err(Failure::usage(Problem::P7082, format!("no block has a network {number}"))),
+            _ => Ok(chosen),
+        };
     };
     let (id, block) = diagrams.block(name)?;
     let networks = match arguments.network {

@@ -5,13 +5,13 @@ use std::collections::HashMap;
 use sieben_lang::network::model::Network;
 use sieben_lang::network::read::{Answer, Mode};
 use sieben_lang::network::reasons::Refusal;
-use sieben_lang::network::statement::Statement;
 use sieben_lang::network::to_lad::to_lad;
 use sieben_lang::st::diagrams::drawn;
 use sieben_lang::stl::ast::Word;
 use sieben_lang::stl::diagrams::DrawnNetwork;
-use sieben_lang::stl::redraw::SourceBlock;
+use sieben_lang::stl::redraw::{SourceBlock, statement_line};
 use sieben_model::block::BlockId;
+use sieben_model::mnemonics::Mnemonics;
 use sieben_model::source::FileId;
 
 use super::{Blocks, CodeBlock, ElementPlaces, Written, sources};
@@ -22,7 +22,7 @@ pub(crate) fn blocks(build: &Build) -> Blocks {
     let mut blocks = Blocks::new();
     for (_, source) in sources(build) {
         for block in source.blocks(Mode::Strict) {
-            blocks.insert(block.id, code_block(block, source.text));
+            blocks.insert(block.id, code_block(block, source.text, source.mnemonics));
         }
     }
     let names: HashMap<String, BlockId> = build.compiled.block_names.iter().map(|(&id, name)| (name.to_lowercase(), id)).collect();
@@ -56,7 +56,8 @@ fn some(text: &str) -> Option<String> {
     Some(text.trim().to_owned()).filter(|text| !text.is_empty())
 }
 
-fn code_block(block: SourceBlock, text: &str) -> CodeBlock {
+fn code_block(block: SourceBlock, text: &str, mnemonics: Mnemonics) -> CodeBlock {
+    let lines = LineStarts::of(text);
     let header = &block.header;
     let rows = [("Author", &header.author), ("Family", &header.family), ("Name", &header.name), ("Version", &header.version)];
     let row = |(name, value): (&str, &Option<Word>)| Some((name.to_owned(), value.as_ref()?.text.clone()));
@@ -64,16 +65,16 @@ fn code_block(block: SourceBlock, text: &str) -> CodeBlock {
         title: header.title.as_ref().and_then(|title| some(&title.text)),
         comment: some(&header.comment),
         header: rows.into_iter().filter_map(row).collect(),
-        networks: block.networks.into_iter().map(|network| written(network, text)).collect(),
+        networks: block.networks.into_iter().map(|network| written(network, text, mnemonics, &lines)).collect(),
     }
 }
 
-fn written(network: DrawnNetwork, text: &str) -> Written {
-    let as_text = statements_text(&network, text);
+fn written(network: DrawnNetwork, text: &str, mnemonics: Mnemonics, lines: &LineStarts) -> Written {
+    let as_text = statements_text(&network, text, mnemonics);
     let read = match network.answer {
         Answer::Exact(ref drawn) => Ok(drawn.clone()),
         Answer::Equivalent(ref reading, None) => Ok(reading.networks.first().cloned().unwrap_or_default()),
-        Answer::Equivalent(_, Some(ref refusal)) | Answer::No(ref refusal) => Err(reason(&network, refusal, text)),
+        Answer::Equivalent(_, Some(ref refusal)) | Answer::No(ref refusal) => Err(reason(&network, refusal, text, lines)),
     };
     Written {
         number: network.number,
@@ -88,15 +89,28 @@ fn written(network: DrawnNetwork, text: &str) -> Written {
 }
 
 /// Why a network stays STL: the statement, its line, what is in the way, and what to do about it.
-fn reason(network: &DrawnNetwork, refusal: &Refusal, text: &str) -> String {
+fn reason(network: &DrawnNetwork, refusal: &Refusal, text: &str, lines: &LineStarts) -> String {
     let fix = refusal.reason.fix();
     let fix = if fix.is_empty() { String::new() } else { format!("; {fix}") };
-    let (Some(statement), Some(span)) = (network.statements.get(refusal.statement), network.spans.get(refusal.statement)) else {
-        return format!("{}{fix}", refusal.message());
-    };
-    let line = text.bytes().take(span.start as usize).filter(|byte| *byte == b'\n').count() + 1;
-    let said = format!("{} {}", statement.mnemonic, statement.operand);
-    format!("`{}` (line {line}): {}{fix}", said.trim_end(), refusal.message())
+    let Some(span) = network.spans.get(refusal.statement) else { return format!("{}{fix}", refusal.message()) };
+    let statement = text.get(span.start as usize..span.end as usize).and_then(|text| text.lines().next()).unwrap_or_default();
+    let statement = statement.split_whitespace().collect::<Vec<_>>().join(" ");
+    format!("`{statement}` (line {}), {}: {}{fix}", lines.line(span.start), refusal.reason, refusal.message())
+}
+
+/// The first bytes of the lines of a source.
+struct LineStarts(Vec<u32>);
+
+impl LineStarts {
+    fn of(text: &str) -> Self {
+        let ends = text.bytes().enumerate().filter(|(_, byte)| *byte == b'\n');
+        Self(ends.map(|(at, _)| u32::try_from(at + 1).unwrap_or(u32::MAX)).collect())
+    }
+
+    /// The line of a byte, from 1.
+    fn line(&self, byte: u32) -> usize {
+        self.0.partition_point(|start| *start <= byte) + 1
+    }
 }
 
 /// The network as ladder can show it.
@@ -109,9 +123,9 @@ pub(super) fn for_ladder(network: &Network) -> Result<Network, String> {
 }
 
 /// The statements of a network: as the source has them, with its comments, or those that a diagram stands for.
-fn statements_text(network: &DrawnNetwork, text: &str) -> String {
+fn statements_text(network: &DrawnNetwork, text: &str, mnemonics: Mnemonics) -> String {
     if network.drawing.is_some() {
-        return network.statements.iter().map(line).collect::<Vec<_>>().join("\n");
+        return network.statements.iter().map(|one| statement_line(one, mnemonics)).collect::<Vec<_>>().join("\n");
     }
     if network.statements.is_empty() {
         return String::new();
@@ -120,12 +134,4 @@ fn statements_text(network: &DrawnNetwork, text: &str) -> String {
     let begin = text.get(..first).and_then(|before| before.rfind('\n')).map_or(0, |at| at + 1);
     let end = text.get(last..).and_then(|after| after.find('\n')).map_or(text.len(), |at| last + at);
     text.get(begin..end).unwrap_or_default().trim_end().to_owned()
-}
-
-fn line(one: &Statement) -> String {
-    let label = one.label.as_ref().map(|label| format!("{label}:")).unwrap_or_default();
-    let instance = one.instance.as_ref().map(|instance| format!(", {instance}")).unwrap_or_default();
-    let parameters: Vec<String> = one.parameters.iter().map(|one| format!("{} := {}", one.name, one.actual)).collect();
-    let parameters = if parameters.is_empty() { String::new() } else { format!(" ({})", parameters.join(", ")) };
-    format!("{label:<6}{:<5} {}{instance}{parameters}", one.mnemonic, one.operand).trim_end().to_owned() + ";"
 }

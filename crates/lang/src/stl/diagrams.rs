@@ -257,10 +257,10 @@ impl<'a> Reader<'a> {
             ast::Operand::None => String::new(),
             ast::Operand::Scratch { bit } => {
                 let bit = u64::from(self.scratch) + u64::from(*bit);
-                format!("L{}.{}", bit / 8, bit % 8)
+                format!("L {}.{}", bit / 8, bit % 8)
             }
             ast::Operand::Absolute { letters, number, bit } => {
-                format!("{letters}{number}{}", bit.map_or_else(String::new, |bit| format!(".{bit}")))
+                format!("{letters} {number}{}", bit.map_or_else(String::new, |bit| format!(".{bit}")))
             }
             ast::Operand::Name { word, path } if path.is_empty() => {
                 let text = word.text.replacen('·', "_", 1);
@@ -278,7 +278,7 @@ impl<'a> Reader<'a> {
             {
                 number.to_string()
             }
-            _ => Written::read(&self.slice(span), 0).text,
+            _ => Written::read(&self.slice(span), 0).spaced(),
         }
     }
 

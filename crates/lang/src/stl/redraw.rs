@@ -539,7 +539,7 @@ impl Comments {
 }
 
 /// A statement in the usual columns.
-fn statement_line(statement: &Statement, mnemonics: Mnemonics) -> String {
+pub fn statement_line(statement: &Statement, mnemonics: Mnemonics) -> String {
     let label = statement.label.as_ref().map(|label| format!("{label}:")).unwrap_or_default();
     let mnemonic = match mnemonics {
         Mnemonics::English => statement.mnemonic,

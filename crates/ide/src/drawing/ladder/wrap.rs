@@ -47,19 +47,60 @@ impl Room {
 /// A rung in rows.
 pub(super) fn rows(drawn: Drawn, maker: &mut Maker<'_>) -> Vec<Row> {
     let room = Room { characters: maker.options.columns, contacts: maker.options.contacts.max(1) };
-    let mut wrapper = Wrapper { stubs: &mut maker.stubs, waiting: VecDeque::from([Row { begin: Begin::Rail, drawn }]) };
+    let first = Waiting { begin: Begin::Rail, drawn, more: VecDeque::new() };
+    let mut wrapper = Wrapper { stubs: &mut maker.stubs, waiting: VecDeque::from([first]) };
     let mut rows = Vec::new();
     while let Some(mut row) = wrapper.waiting.pop_front() {
         let begin = if matches!(row.begin, Begin::Rail) { 0 } else { STUB_COLUMNS };
-        wrapper.fit(&mut row.drawn, room.less(begin, 0));
-        rows.push(row);
+        let room = room.less(begin, 0);
+        let mut more = std::mem::take(&mut row.more);
+        if more.is_empty() {
+            more = VecDeque::from(std::mem::take(&mut row.drawn.nodes));
+        }
+        row.take(&mut more, room);
+        match more.is_empty() {
+            true => {
+                wrapper.fit(&mut row.drawn, room);
+            }
+            false => wrapper.fit_beginning(&mut row.drawn, more, room),
+        }
+        rows.push(Row { begin: row.begin, drawn: row.drawn });
     }
     rows
 }
 
+/// A row that is not laid out yet. What comes after its first elements waits apart from them, so that a long rung is looked at once.
+struct Waiting {
+    begin: Begin,
+    drawn: Drawn,
+    more: VecDeque<Node>,
+}
+
+impl Waiting {
+    /// Takes elements until there are more than fit.
+    fn take(&mut self, more: &mut VecDeque<Node>, room: Room) {
+        let mut used = (0, 0);
+        while fits(used.0, used.1, room)
+            && let Some(node) = more.pop_front()
+        {
+            used = (used.0 + node.characters, used.1 + node.contacts);
+            self.drawn.nodes.push(node);
+        }
+    }
+}
+
 struct Wrapper<'m> {
     stubs: &'m mut u32,
-    waiting: VecDeque<Row>,
+    waiting: VecDeque<Waiting>,
+}
+
+/// What became of a rung that was to fit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Fit {
+    /// It stands in one row.
+    Whole,
+    /// Its rest waits at the end of those that wait.
+    Cut,
 }
 
 fn fits(characters: usize, contacts: usize, room: Room) -> bool {
@@ -108,10 +149,29 @@ impl Wrapper<'_> {
         *self.stubs
     }
 
-    /// Makes a rung fit; what does not waits for a row of its own.
-    fn fit(&mut self, drawn: &mut Drawn, room: Room) {
-        if fits(drawn.characters(), drawn.contacts(), room) {
+    /// Makes the beginning of a rung fit, after which more elements come.
+    fn fit_beginning(&mut self, drawn: &mut Drawn, mut more: VecDeque<Node>, room: Room) {
+        let (tail, after) = (std::mem::replace(&mut drawn.tail, Tail::Open), drawn.after);
+        if self.fit(drawn, room) == Fit::Cut
+            && let Some(rest) = self.waiting.back_mut()
+        {
+            for node in std::mem::take(&mut rest.drawn.nodes).into_iter().rev() {
+                more.push_front(node);
+            }
+            (rest.more, rest.drawn.tail) = (more, tail);
             return;
+        }
+        let number = self.number();
+        let before = drawn.nodes.last().map_or(drawn.before, |last| last.after);
+        (drawn.tail, drawn.after) = (Tail::Stub(number), before);
+        let rest = Drawn { nodes: Nodes::new(), before, after, tail };
+        self.waiting.push_back(Waiting { begin: Begin::Stub(number), drawn: rest, more });
+    }
+
+    /// Makes a rung fit; what does not waits for a row of its own.
+    fn fit(&mut self, drawn: &mut Drawn, room: Room) -> Fit {
+        if fits(drawn.characters(), drawn.contacts(), room) {
+            return Fit::Whole;
         }
         let mut used = (0, 0);
         let mut cut = None;
@@ -130,19 +190,21 @@ impl Wrapper<'_> {
         if cut.is_none() && !fits(drawn.tail.characters(), drawn.tail.contacts(), left) {
             match &mut drawn.tail {
                 _ if !drawn.nodes.is_empty() => cut = Some(drawn.nodes.len()),
-                Tail::Branches(rungs) => rungs.iter_mut().for_each(|rung| self.fit(rung, left)),
+                Tail::Branches(rungs) => rungs.iter_mut().for_each(|rung| {
+                    self.fit(rung, left);
+                }),
                 _ => {}
             }
         }
-        if let Some(index) = cut {
-            let number = self.number();
-            let nodes = self::cut(&mut drawn.nodes, index).unwrap_or_default();
-            let after = drawn.nodes.last().map_or(drawn.before, |last| last.after);
-            let tail = std::mem::replace(&mut drawn.tail, Tail::Stub(number));
-            let rest = Drawn { nodes, before: after, after: drawn.after, tail };
-            drawn.after = after;
-            self.waiting.push_back(Row { begin: Begin::Stub(number), drawn: rest });
-        }
+        let Some(index) = cut else { return Fit::Whole };
+        let number = self.number();
+        let nodes = self::cut(&mut drawn.nodes, index).unwrap_or_default();
+        let after = drawn.nodes.last().map_or(drawn.before, |last| last.after);
+        let tail = std::mem::replace(&mut drawn.tail, Tail::Stub(number));
+        let rest = Drawn { nodes, before: after, after: drawn.after, tail };
+        drawn.after = after;
+        self.waiting.push_back(Waiting { begin: Begin::Stub(number), drawn: rest, more: VecDeque::new() });
+        Fit::Cut
     }
 
     /// Makes an element fit that is wider than a row: its branches, or the logic at its pins, go on elsewhere.
@@ -197,7 +259,8 @@ impl Wrapper<'_> {
     }
 
     fn later(&mut self, begin: Begin, nodes: Nodes, before: NetId, after: NetId, end: u32) {
-        self.waiting.push_back(Row { begin, drawn: Drawn { nodes, before, after, tail: Tail::Stub(end) } });
+        let drawn = Drawn { nodes, before, after, tail: Tail::Stub(end) };
+        self.waiting.push_back(Waiting { begin, drawn, more: VecDeque::new() });
     }
 }
 
