@@ -21,7 +21,7 @@ pub(crate) struct Watch {
     places: HashMap<u32, usize>,
     /// The registers after each statement that was executed.
     after: Vec<Option<Registers>>,
-    /// The statement that was executed last: an earlier one begins anew.
+    /// The statement that was executed last: an earlier one begins again.
     last: Option<usize>,
 }
 

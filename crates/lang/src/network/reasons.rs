@@ -130,7 +130,7 @@ rewrites! {
     /// Several networks.
     Split { code: "W6", sentence: "Each string gets a network of its own." }
     /// Other bits of local data.
-    Renumber { code: "W7", sentence: "The bits of local data of T-branches and pins are numbered anew after the declared temporary variables." }
+    Renumber { code: "W7", sentence: "The bits of local data of T-branches and pins are numbered again after the declared temporary variables." }
     /// Two stores.
     TwoMoves { code: "W8", sentence: "Two stores of one load become two MOVE boxes." }
     /// A jump around boxes.

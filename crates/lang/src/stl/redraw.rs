@@ -360,8 +360,8 @@ impl One<'_> {
             }
             let mut line = statement_line(statement, self.source.mnemonics);
             for comment in own().filter_map(|comment| comment.after.as_ref()) {
-                let blanks = 40_usize.saturating_sub(line.chars().count()).max(1);
-                line.extend(std::iter::repeat_n(' ', blanks));
+                let spaces = 40_usize.saturating_sub(line.chars().count()).max(1);
+                line.extend(std::iter::repeat_n(' ', spaces));
                 line.push_str(comment);
             }
             out.push_str(&line);
@@ -390,7 +390,7 @@ impl One<'_> {
         let bodies: Vec<String> = match drawing {
             Some(drawing) => self.diagrams(networks, drawing),
             None => {
-                // What is counted through the block is counted anew.
+                // What is counted through the block is counted again.
                 let renumbered = self.renumbered(labels);
                 vec![renumbered]
             }

@@ -409,9 +409,9 @@ pub(super) fn pin_of(content: &str) -> Option<(&str, &str, usize)> {
     if !is_name(name) {
         return None;
     }
-    let behind = content[end..].trim_start();
-    let at = content.len() - behind.len();
-    let sign = [":=", "=>", ":"].into_iter().find(|sign| behind.starts_with(sign))?;
+    let after = content[end..].trim_start();
+    let at = content.len() - after.len();
+    let sign = [":=", "=>", ":"].into_iter().find(|sign| after.starts_with(sign))?;
     let rest = at + sign.len();
     // A colon alone begins the logic of the pin, on lines of its own.
     if sign == ":" && !content[rest..].trim().is_empty() {

@@ -49,7 +49,7 @@ pub enum Mode {
     Strict,
     /// What keeps the meaning is rewritten.
     Rewriting,
-    /// Constants of the RLO are rewritten as well, which makes elements that nobody would have drawn.
+    /// Constants of the RLO are rewritten as well, which makes elements that no one draws.
     RewritingConstants,
 }
 

@@ -12,7 +12,7 @@ use super::names::{Entity, Role};
 use super::places::Reached;
 use super::typed::{Target, Through, Typed};
 use super::types::Kind;
-use crate::network::boxes::{CounterKind, TimerKind};
+use crate::network::boxes::{CounterKind, POWER_PINS, TimerKind};
 use crate::network::words;
 use crate::st::ast::{
     self, Argument, Call, DiagramBox, Direction, Expression, ExpressionKind, GoesOn, Literal, LiteralKind, Name, Quoting, Wire,
@@ -29,27 +29,6 @@ pub(super) enum Carried {
     /// A constant, or something that was not understood.
     Known(Typed),
 }
-
-/// The pins of the function blocks of the standard that a line enters, and that it goes on from.
-struct Power {
-    /// What the names of the blocks begin with.
-    blocks: &'static [&'static str],
-    /// The input.
-    input: &'static [&'static str],
-    /// The output.
-    output: &'static str,
-}
-
-/// Where several begin alike, the longer name stands first.
-const POWER: &[Power] = &[
-    Power { blocks: &["TONR", "TON", "TOF", "TP", "LTON", "LTOF", "LTP"], input: &["IN"], output: "Q" },
-    Power { blocks: &["CTUD", "LCTUD"], input: &["CU"], output: "QU" },
-    Power { blocks: &["CTU", "LCTU"], input: &["CU"], output: "Q" },
-    Power { blocks: &["CTD", "LCTD"], input: &["CD"], output: "Q" },
-    Power { blocks: &["R_TRIG", "F_TRIG"], input: &["CLK"], output: "Q" },
-    Power { blocks: &["SR"], input: &["S1", "SET1"], output: "Q1" },
-    Power { blocks: &["RS"], input: &["S", "SET"], output: "Q1" },
-];
 
 /// Functions whose result is always a BOOL.
 const COMPARISONS: [&str; 6] = ["GT", "GE", "EQ", "LE", "LT", "NE"];
@@ -223,7 +202,7 @@ impl Checker<'_> {
             (BlockKind::SystemFunctionBlock, 3..=5) => Some("TP"),
             _ => None,
         };
-        let row = POWER.iter().find(|row| row.blocks.iter().any(|base| typed(base) || of_system == Some(*base)))?;
+        let row = POWER_PINS.iter().find(|row| row.blocks.iter().any(|base| typed(base) || of_system == Some(*base)))?;
         let input = row.input.iter().find(|input| interface.variable(input).is_some())?;
         Some((input, row.output))
     }

@@ -101,13 +101,13 @@ impl Read {
     }
 }
 
-/// A line with blanks in place of its comment and its end.
+/// A line with spaces in place of its comment and its end.
 fn without_comment_in_place(line: &str) -> String {
     let written = without_comment(line).trim_end_matches(['\r', '\n']);
-    let mut line_of_blanks = String::with_capacity(line.len());
-    line_of_blanks.push_str(written);
-    line_of_blanks.extend(std::iter::repeat_n(' ', line.len() - written.len()));
-    line_of_blanks
+    let mut line_of_spaces = String::with_capacity(line.len());
+    line_of_spaces.push_str(written);
+    line_of_spaces.extend(std::iter::repeat_n(' ', line.len() - written.len()));
+    line_of_spaces
 }
 
 /// A line up to its comment.
