@@ -91,11 +91,13 @@ fn lose(programs: Vec<Program>, step: usize, tokens_min: usize) {
             if seen % step != 0 {
                 continue;
             }
-            // A diagram without the word before it is read as statements, of which each is wrong.
-            if token.kind() == SyntaxKind::Keyword && matches!(token.text(), "LD" | "FBD") {
+            // A diagram without the words before it is read as statements or declarations, of which each is wrong.
+            let range = token.text_range();
+            let next = text[usize::from(range.end())..].split_whitespace().next().unwrap_or_default();
+            let is_word = |word: &str| matches!(word, "LD" | "FBD");
+            if token.kind() == SyntaxKind::Keyword && (is_word(token.text()) || (token.text() == "END_VAR" && is_word(next))) {
                 continue;
             }
-            let range = token.text_range();
             let (start, end) = (usize::from(range.start()), usize::from(range.end()));
             let found = errors(&format!("{} {}", &text[..start], &text[end..]), dialect, &options);
             let line = text[..start].lines().last().unwrap_or_default();

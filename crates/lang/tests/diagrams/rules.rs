@@ -5,6 +5,7 @@ use sieben_lang::network::form_b::print;
 use sieben_lang::network::model::{Content, Element, End, Kind, Rung};
 use sieben_lang::network::read::{Answer, Class, Mode, Surroundings, draw};
 use sieben_lang::network::reasons::{Reason, Rewrite};
+use sieben_lang::network::rules::ELEMENTS_MAX;
 use sieben_lang::network::to_lad::to_lad;
 
 use crate::statements::{Plain, statements};
@@ -107,8 +108,19 @@ fn each_reason_names_the_statement() {
             other => panic!("{input}: {other:?}"),
         }
     }
+    let wide = format!("{}; = Q4.0", vec!["A I0.0"; ELEMENTS_MAX + 1].join("; "));
+    let deep = format!("{}; = Q4.0", vec!["A I0.0; O I0.1"; 2000].join("; "));
+    for (input, code) in [(wide, "R-SIZE"), (deep, "R-DEPTH")] {
+        match draw(&statements(&input), &Plain, 160, Mode::RewritingConstants) {
+            Answer::No(refusal) => assert_eq!(refusal.reason.code(), code),
+            other => panic!("{code}: {other:?}"),
+        }
+    }
     let found = |reason: &&Reason| {
         let code = reason.code();
+        if **reason == Reason::Size {
+            return true;
+        }
         REFUSALS.iter().any(|row| row.1.starts_with(code)) || REWRITES.iter().any(|row| row.1.starts_with(code))
     };
     let missing: Vec<_> = Reason::ALL.iter().filter(|reason| !found(reason)).collect();
