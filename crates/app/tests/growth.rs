@@ -13,6 +13,8 @@ const FEW: usize = 1_200;
 const TIMES: usize = 8;
 /// Eight times the size may take so many times the time; with the square of the size it would be 64.
 const GROWTH_MAX: f64 = 16.0;
+/// How often a source is measured before it is said to grow too much.
+const TRIES: usize = 3;
 
 /// Processor time of this thread in seconds: what else the computer does plays no part.
 fn spent() -> f64 {
@@ -94,7 +96,9 @@ fn no_source_costs_the_square_of_its_size() {
         };
         cost(&few);
         let few = cost(&few).max(cost(&few)).max(0.002);
-        let growth = cost(&many) / few;
+        // Other work on the machine only ever adds time: what grows too much does so each time.
+        let growth = (0..TRIES).map(|_| cost(&many) / few).find(|growth| *growth <= GROWTH_MAX);
+        let growth = growth.unwrap_or_else(|| cost(&many) / few);
         if growth > GROWTH_MAX {
             wrong.push(format!("{name}: {growth:.0} times the time ({few:.3} s before)"));
         }
