@@ -2,7 +2,7 @@
 
 use crate::source::Span;
 
-/// Where a statement of a block comes from. The languages that are read today make only [`Origin::Text`]; the others are for diagrams and for blocks in machine code of the S7.
+/// Where a statement of a block comes from. What is read today makes the first two; the third is for blocks in machine code of the S7.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Origin {
     /// A statement that is written as text.
