@@ -181,3 +181,23 @@ END_ORGANIZATION_BLOCK
     let all: Value = serde_json::from_str(&lad.stdout).unwrap_or_else(|error| panic!("{error}: {}", lad.stdout));
     assert_eq!((&all[0]["block"], &all[0]["answer"]), (&"FC 1".into(), &"exact".into()));
 }
+
+#[test]
+fn a_file_of_one_line_networks_becomes_every_form() {
+    let source = "I 0.0 -> = Q 4.0\nI 0.1 /I 0.2 -> = Q 4.1\n\nI 0.3 -> S M 0.0\n";
+    let all: [&[&str]; 5] = [&["lad"], &["fbd"], &["stl"], &["lad", "--form", "b"], &["fbd", "--form", "b"]];
+    for options in all {
+        let folder = Folder::with(&[("x.lad", source)]);
+        let run = folder.run(&[&["convert", "x.lad", "--write", "--to"], options].concat());
+        assert_eq!(run.code, Some(0), "{options:?}: {}", run.stderr);
+        let check = folder.run(&["check", "x.lad"]);
+        assert_eq!(check.code, Some(0), "{options:?}: {}{}", check.stderr, String::from_utf8_lossy(&folder.read("x.lad")));
+        let show = ["exec", "x.lad", "--set", "I0.1=1", "--set", "I0.3=1", "--show", "Q4.0,Q4.1,M0.0"];
+        assert_eq!(
+            folder.run(&show).stdout,
+            "Q4.0 = 0\nQ4.1 = 1\nM0.0 = 1\n",
+            "{options:?}: {}",
+            String::from_utf8_lossy(&folder.read("x.lad"))
+        );
+    }
+}

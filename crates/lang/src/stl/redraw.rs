@@ -221,7 +221,10 @@ impl One<'_> {
             Target::Statements => None,
         };
         let mut answer = self.answer(drawing);
-        let same = self.network.drawing == drawing && self.redrawing.target != Target::Diagram(drawing.unwrap_or(Drawing::Lad), Form::B);
+        let has_form = self.has_head() || self.network.statements.is_empty();
+        let same = self.network.drawing == drawing
+            && has_form
+            && self.redrawing.target != Target::Diagram(drawing.unwrap_or(Drawing::Lad), Form::B);
         if drawing.is_none() {
             answer = Drawn { kind: AnswerKind::Exact, codes: BTreeSet::new(), refusal: None, networks: Vec::new() };
         }
@@ -245,6 +248,12 @@ impl One<'_> {
             stays,
         };
         (redrawn, edit)
+    }
+
+    /// The network begins with its keyword.
+    fn has_head(&self) -> bool {
+        let head = self.network.span.start as usize;
+        self.source.text.get(head..head + "NETWORK".len()).is_some_and(|keyword| keyword.eq_ignore_ascii_case("NETWORK"))
     }
 
     /// What can be drawn, in the drawing that was asked for.
@@ -344,6 +353,10 @@ impl One<'_> {
     /// Where the diagram of the network stands, from the beginning of its first line.
     fn diagram(&self) -> Option<(usize, usize)> {
         self.network.drawing?;
+        // Of networks on one line each without their keyword the line is all there is.
+        if !self.has_head() {
+            return None;
+        }
         let body = self.network.body;
         let (from, to) = *self.diagrams.iter().find(|(from, to)| *from <= body.start as usize && body.end as usize <= *to)?;
         Some((from, to))
@@ -386,7 +399,7 @@ impl One<'_> {
             (false, None) => " STL".to_owned(),
         };
         let head = self.network.span.start as usize;
-        let has_head = text.get(head..head + 7).is_some_and(|keyword| keyword.eq_ignore_ascii_case("NETWORK"));
+        let has_head = self.has_head();
         let bodies: Vec<String> = match drawing {
             Some(drawing) => self.diagrams(networks, drawing),
             None => {
