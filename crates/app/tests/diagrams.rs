@@ -201,3 +201,59 @@ fn a_file_of_one_line_networks_becomes_every_form() {
         );
     }
 }
+
+/// Programs in which a rewrite of a network could be seen from outside of it; what is set, and what is shown.
+const SEEN_FROM_OUTSIDE: &[(&str, &[&str], &str)] = &[
+    ("NETWORK\nA I 0.0; SAVE;\nNETWORK\nO I 0.1; = Q 4.0;\n", &["I0.0=1"], "Q4.0"),
+    ("NETWORK\nA I 0.0; SAVE;\nNETWORK\nX I 0.1; X I 0.2; = Q 4.0;\n", &["I0.0=1"], "Q4.0"),
+    ("NETWORK\nA I 0.0; SAVE;\nNETWORK\nO I 0.1; O I 0.2; A I 0.3; = Q 4.0;\n", &["I0.0=1", "I0.3=1"], "Q4.0"),
+    ("NETWORK\nA I 0.0; SAVE;\nNETWORK\nA I 0.2; AN(; A I 0.1; A I 0.3; ); = Q 4.0;\n", &["I0.2=1"], "Q4.0"),
+    ("NETWORK\nA I 0.0; SAVE; O I 0.1; = Q 4.0;\n", &["I0.0=1"], "Q4.0"),
+    ("NETWORK\nA I 0.0;\nNETWORK\nO I 0.1; = Q 4.0;\n", &["I0.0=1"], "Q4.0"),
+    (
+        "FUNCTION FC 1 : VOID\nBEGIN\nNETWORK\nA I 0.0; = L 0.0;\nNETWORK\nA I 0.1; = L 5.0; A L 5.0; AN I 0.3; = Q 4.0; A L 5.0; BLD 102; = Q 4.1;\nNETWORK\nA L 0.0; = Q 4.2;\nEND_FUNCTION\nORGANIZATION_BLOCK OB 1\nBEGIN\nCALL FC 1;\nEND_ORGANIZATION_BLOCK\n",
+        &["I0.0=1"],
+        "Q4.2",
+    ),
+    (
+        "FUNCTION FC 1 : VOID\nBEGIN\nNETWORK\nA I 0.2; = L 6.0; A L 6.0; AN M 1.2; = M 100.3; A L 6.0; BLD 102; = M 100.5;\nNETWORK\nA I 0.4; A L 6.0; = M 100.4;\nEND_FUNCTION\nORGANIZATION_BLOCK OB 1\nBEGIN\nCALL FC 1;\nEND_ORGANIZATION_BLOCK\n",
+        &["I0.2=1", "I0.4=1"],
+        "M100.4",
+    ),
+    (
+        "FUNCTION FC 1 : VOID\nBEGIN\nNETWORK\nAN I 0.0; SAVE;\nNETWORK\nA I 0.1; = Q 0.0;\nNETWORK\nL MW 10; T MW 12; T MW 14;\nEND_FUNCTION\nORGANIZATION_BLOCK OB 1\nBEGIN\nCALL FC 1;\nA BR; = M 60.1;\nEND_ORGANIZATION_BLOCK\n",
+        &["I0.0=1"],
+        "M60.1",
+    ),
+    (
+        "FUNCTION FC 1 : VOID\nBEGIN\nNETWORK\nA I 0.2; JNB m1; L MW 10; L 1; +I; T MW 12; AN OV; SAVE; CLR; m1: A BR; A I 0.3; = M 100.3;\nEND_FUNCTION\nORGANIZATION_BLOCK OB 1\nBEGIN\nCALL FC 1;\nA BR; = M 30.0;\nEND_ORGANIZATION_BLOCK\n",
+        &["I0.2=1", "MW10=32767"],
+        "M30.0",
+    ),
+];
+
+#[test]
+fn no_rewrite_can_be_seen_from_outside() {
+    for (source, set, show) in SEEN_FROM_OUTSIDE {
+        let folder = Folder::with(&[("main.awl", source)]);
+        for to in ["lad", "fbd"] {
+            let drawn = folder.run(&["convert", "main.awl", "--to", to, "--rewrite"]);
+            assert_eq!(drawn.code, Some(0), "{}", drawn.stderr);
+            folder.write("drawn.awl", drawn.stdout.as_bytes());
+            let result = |name: &str| {
+                let mut arguments = vec!["exec", name, "--show", show];
+                set.iter().for_each(|value| arguments.extend(["--set", value]));
+                folder.run(&arguments).stdout
+            };
+            assert_eq!(result("drawn.awl"), result("main.awl"), "{source}\n{}", drawn.stdout);
+        }
+    }
+}
+
+#[test]
+fn a_label_that_looks_like_an_address_stays_a_label() {
+    let folder =
+        Folder::with(&[("x.lad", "NETWORK\n    NO  I 0.0\n    JMP  m1\nNETWORK\n    LABEL m1:\n    NO  I 0.1\n    COIL  Q 4.0\n")]);
+    let stl = folder.run(&["convert", "x.lad", "--to", "stl"]);
+    assert!(stl.stdout.contains("JC    m1;"), "{}", stl.stdout);
+}

@@ -411,4 +411,5 @@ problems! {
     P9019 Warning "a comparison that is jumped over like a box with EN (R-MIX)" "Compare without the jump: a comparison is a contact.";
     P9020 Warning "a network whose diagram means the same but gives other statements" "Use `convert --rewrite` to draw it.";
     P9021 Warning "a network with more elements than a diagram may have (R-SIZE)" "Divide the network into several.";
+    P9022 Warning "a network that goes on with the logic of the one before it (R-CARRY)" "End the network before it with an output, not with SAVE alone or an open string.";
 }

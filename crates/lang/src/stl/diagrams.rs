@@ -1,6 +1,6 @@
 //! A block of STL as networks that can be drawn: its statements as the reader of diagrams takes them, and what is known of the block.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeSet, HashMap, HashSet};
 
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockKind;
@@ -16,7 +16,7 @@ use super::operands::{Access, Call, Location, NumberOperand, Operand};
 use crate::network::flavour::Drawing;
 use crate::network::model::Place;
 use crate::network::operand::{Operand as Written, STATUS_BITS};
-use crate::network::read::{Answer, Class, Mode, Surroundings, draw};
+use crate::network::read::{Answer, Class, Mode, Surroundings, carries, draw, reads_before_writing};
 use crate::network::statement::{Parameter, Passing, Statement};
 
 /// Bytes of start information at the beginning of the local data of an organization block.
@@ -45,8 +45,18 @@ pub struct DrawnNetwork {
     pub spans: Vec<Span>,
     /// Comments, by the index of the statement that they belong to.
     pub comments: Vec<StatementComment>,
+    /// The network before ends its string of logic.
+    pub is_fresh: bool,
     /// Whether it can be drawn.
     pub answer: Answer,
+}
+
+/// What the networks of a block find where they begin.
+struct Known {
+    /// The one before has ended its string of logic.
+    fresh: Vec<bool>,
+    /// Bits of local data that they read before they write them.
+    reads: Vec<BTreeSet<u32>>,
 }
 
 /// The comments of a statement.
@@ -65,12 +75,21 @@ pub fn networks(text: &str, block: &ast::Block, resolved: &ResolvedBlock, mnemon
     let reader = Reader::new(text, block, resolved, mnemonics);
     let heads = reader.heads();
     let count = heads.len();
-    (0..count)
-        .map(|index| {
-            let end = heads.get(index + 1).map_or(block.statements.len(), |next| next.first_statement);
-            reader.network(index, &heads[index], end, mode)
-        })
-        .collect()
+    let ends = (0..count).map(|index| heads.get(index + 1).map_or(block.statements.len(), |next| next.first_statement));
+    let all: Vec<Vec<Statement>> =
+        heads.iter().zip(ends).map(|(head, end)| reader.statements(head.first_statement.min(end), end)).collect();
+    // What each network finds in the string of logic and in local data.
+    let mut known = Known { fresh: Vec::with_capacity(count), reads: Vec::with_capacity(count) };
+    let mut fresh = true;
+    for statements in &all {
+        known.fresh.push(fresh);
+        fresh = match carries(statements) {
+            Some(carried) => !carried,
+            None => fresh,
+        };
+        known.reads.push(reads_before_writing(statements, &Around { reader: &reader, network: 0, known: None }));
+    }
+    all.into_iter().enumerate().map(|(index, statements)| reader.network(index, &heads[index], statements, &known, mode)).collect()
 }
 
 /// The first free bit of the local data of a block: after its declared temporary variables.
@@ -182,15 +201,18 @@ impl<'a> Reader<'a> {
         heads
     }
 
-    fn network(&self, index: usize, head: &ast::Network, end: usize, mode: Mode) -> DrawnNetwork {
+    fn statements(&self, from: usize, to: usize) -> Vec<Statement> {
+        (from..to).map(|at| self.statement(at, at - from)).collect()
+    }
+
+    fn network(&self, index: usize, head: &ast::Network, statements: Vec<Statement>, known: &Known, mode: Mode) -> DrawnNetwork {
         let number = index as u32 + 1;
-        let (mut statements, mut numbers, mut spans) = (Vec::new(), Vec::new(), Vec::new());
-        for at in head.first_statement.min(end)..end {
-            statements.push(self.statement(at, statements.len()));
+        let (mut numbers, mut spans) = (Vec::new(), Vec::new());
+        for at in head.first_statement..head.first_statement + statements.len() {
             numbers.push(self.numbers[at].unwrap_or_default());
             spans.push(self.block.statements[at].span);
         }
-        let around = Around { reader: self, network: number };
+        let around = Around { reader: self, network: number, known: Some(known) };
         let answer = draw(&statements, &around, self.scratch, mode);
         let empty = Span { start: head.span.end, ..head.span };
         let body = match (spans.first(), spans.last()) {
@@ -209,6 +231,7 @@ impl<'a> Reader<'a> {
             numbers,
             spans,
             comments,
+            is_fresh: around.begins_fresh(),
             answer,
         }
     }
@@ -394,6 +417,7 @@ impl Extent {
 struct Around<'r, 'a> {
     reader: &'r Reader<'a>,
     network: u32,
+    known: Option<&'r Known>,
 }
 
 impl Surroundings for Around<'_, '_> {
@@ -423,6 +447,16 @@ impl Surroundings for Around<'_, '_> {
             (Some(left), Some(right)) => left.overlaps(*right),
             _ => true,
         }
+    }
+
+    fn begins_fresh(&self) -> bool {
+        let own = self.known.and_then(|known| known.fresh.get(self.network.checked_sub(1)? as usize));
+        own.copied().unwrap_or(true)
+    }
+
+    fn is_read_elsewhere(&self, bit: u32) -> bool {
+        let others = self.known.map_or(&[][..], |known| &known.reads).iter().zip(1..);
+        others.into_iter().any(|(reads, number)| number != self.network && reads.contains(&bit))
     }
 
     fn branch_result_matters(&self) -> bool {

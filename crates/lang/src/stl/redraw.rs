@@ -17,7 +17,7 @@ use crate::network::flavour::Drawing;
 use crate::network::model::{Network, Place};
 use crate::network::operand::{Operand, STATUS_BITS};
 use crate::network::read::{Answer, Mode};
-use crate::network::reasons::{Refusal, Rewrite};
+use crate::network::reasons::{Reason, Refusal, Rewrite};
 use crate::network::statement::Statement;
 use crate::network::{form_a, form_b, to_lad::to_lad};
 
@@ -271,6 +271,10 @@ impl One<'_> {
         let mut ladders = Vec::new();
         for network in &networks {
             match to_lad(network) {
+                Ok((_, more)) if !more.is_empty() && !self.network.is_fresh => {
+                    refusal = Some(Refusal::new(Reason::Carried, 0));
+                    return Drawn { kind: AnswerKind::No, codes: BTreeSet::new(), refusal, networks: Vec::new() };
+                }
                 Ok((ladder, more)) => {
                     if !more.is_empty() && kind == AnswerKind::Exact {
                         kind = AnswerKind::Equivalent;
@@ -558,7 +562,11 @@ pub fn statement_line(statement: &Statement, mnemonics: Mnemonics) -> String {
         Mnemonics::English => statement.mnemonic,
         Mnemonics::German => translate_instruction(statement.mnemonic, Mnemonics::English).unwrap_or(statement.mnemonic),
     };
-    let operand = in_language_of(&statement.operand, mnemonics).spaced();
+    // A label may look like an address.
+    let operand = match statement.mnemonic {
+        jump if jump.starts_with('J') || jump == "LOOP" => statement.operand.text.clone(),
+        _ => in_language_of(&statement.operand, mnemonics).spaced(),
+    };
     let mut line = format!("{label:<6}{mnemonic:<6}{operand}");
     if statement.mnemonic == "CALL" {
         line = format!("{label:<6}CALL  {operand}");

@@ -118,7 +118,7 @@ fn each_reason_names_the_statement() {
     }
     let found = |reason: &&Reason| {
         let code = reason.code();
-        if **reason == Reason::Size {
+        if matches!(reason, Reason::Size | Reason::Carried) {
             return true;
         }
         REFUSALS.iter().any(|row| row.1.starts_with(code)) || REWRITES.iter().any(|row| row.1.starts_with(code))
@@ -146,6 +146,14 @@ impl Surroundings for Called {
     fn overlap(&self, left: &str, right: &str) -> bool {
         Plain.overlap(left, right)
     }
+    fn begins_fresh(&self) -> bool {
+        true
+    }
+
+    fn is_read_elsewhere(&self, _: u32) -> bool {
+        false
+    }
+
     fn branch_result_matters(&self) -> bool {
         true
     }

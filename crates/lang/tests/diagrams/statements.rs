@@ -36,6 +36,14 @@ impl Surroundings for Plain {
         left == right
     }
 
+    fn begins_fresh(&self) -> bool {
+        true
+    }
+
+    fn is_read_elsewhere(&self, _: u32) -> bool {
+        false
+    }
+
     fn branch_result_matters(&self) -> bool {
         false
     }

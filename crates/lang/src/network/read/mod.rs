@@ -8,6 +8,7 @@ mod rung;
 
 use std::collections::BTreeSet;
 
+use super::boxes::COMPARISONS;
 use super::model::{Content, Network};
 use super::reasons::{Reason, Refusal, Rewrite};
 use super::rules;
@@ -27,6 +28,10 @@ pub trait Surroundings {
     fn overlap(&self, left: &str, right: &str) -> bool;
     /// After the network something reads the branch result before it is written, or the caller of the block may.
     fn branch_result_matters(&self) -> bool;
+    /// The statement before the network ends a string of logic, so that the first check begins a new one.
+    fn begins_fresh(&self) -> bool;
+    /// Another network reads this bit of local data before it writes it.
+    fn is_read_elsewhere(&self, bit: u32) -> bool;
 }
 
 /// What an operand is.
@@ -95,12 +100,19 @@ pub fn draw(statements: &[Statement], around: &dyn Surroundings, scratch: u32, m
                     }
                 }
             }
-            return Answer::Equivalent(renumbered(reading, statements, around, scratch), None);
+            let start = reading.starts.first().copied().unwrap_or(0);
+            return match safe(renumbered(reading, statements, around, scratch), statements, around, scratch) {
+                Some(reading) => Answer::Equivalent(reading, None),
+                None => Answer::No(Refusal::new(Reason::Carried, start)),
+            };
         }
         Err(refusal) => refusal,
     };
     match read(statements, around, mode.max(Mode::Rewriting)).and_then(within_limits) {
-        Ok(reading) => Answer::Equivalent(renumbered(reading, statements, around, scratch), Some(refusal)),
+        Ok(reading) => match safe(renumbered(reading, statements, around, scratch), statements, around, scratch) {
+            Some(reading) => Answer::Equivalent(reading, Some(refusal)),
+            None => Answer::No(refusal),
+        },
         Err(_) => Answer::No(refusal),
     }
 }
@@ -116,6 +128,75 @@ fn renumbered(mut reading: Reading, statements: &[Statement], around: &dyn Surro
         reading.rewrites.insert(Rewrite::Renumber);
     }
     reading
+}
+
+/// The reading, if none of its rewrites can be seen from outside of the network.
+fn safe(reading: Reading, statements: &[Statement], around: &dyn Surroundings, scratch: u32) -> Option<Reading> {
+    let has = |rewrite: Rewrite| reading.rewrites.contains(&rewrite);
+    let parts: Vec<&[Statement]> = reading
+        .starts
+        .iter()
+        .enumerate()
+        .map(|(index, start)| {
+            let end = reading.starts.get(index + 1).copied().unwrap_or(statements.len());
+            statements.get(*start..end.max(*start)).unwrap_or_default()
+        })
+        .collect();
+    // Where the RLO is carried in, only marks and placeholders do not touch it.
+    let harmless = [Rewrite::Placeholder, Rewrite::Marks, Rewrite::Renumber];
+    let carried = !around.begins_fresh() && reading.rewrites.iter().any(|rewrite| !harmless.contains(rewrite));
+    let after_save = parts.iter().rev().skip(1).any(|part| carries(part) == Some(true));
+    let branch_result =
+        around.branch_result_matters() && (has(Rewrite::TwoMoves) || has(Rewrite::Brackets) && writes_branch_result(statements));
+    // Bits of local data that something else reads stay where they are.
+    let stored = |statements: &[Statement]| -> Vec<u32> {
+        statements.iter().filter(|one| one.mnemonic == "=").filter_map(|one| around.scratch(&one.operand)).collect()
+    };
+    let mut bits = stored(statements);
+    bits.extend(reading.networks.iter().flat_map(|network| stored(&write(network, scratch, &mut 0).statements)));
+    let moved = has(Rewrite::Renumber) && bits.iter().any(|bit| around.is_read_elsewhere(*bit));
+    let parted = has(Rewrite::Split) && parts.iter().any(|part| !reads_before_writing(part, around).is_empty());
+    (!carried && !after_save && !branch_result && !moved && !parted).then_some(reading)
+}
+
+/// Whether after these statements the next check goes on with their string of logic; `None` if they leave it as it was.
+pub fn carries(statements: &[Statement]) -> Option<bool> {
+    // What is not named here leaves the string as it is.
+    let step = |one: &Statement| match one.mnemonic {
+        "=" | "S" | "R" | "CU" | "CD" | "SP" | "SE" | "SD" | "SS" | "SF" | "FR" | "JC" | "JCN" | "JNB" | "JCB" | "JU" | "BEC" | "BEU"
+        | "CC" | "UC" | "CALL" | "MCR(" | ")MCR" | "SET" | "CLR" | "O" => Some(false),
+        "A" | "AN" | "ON" | "X" | "XN" | ")" | "NOT" | "FP" | "FN" => Some(true),
+        name if COMPARISONS.contains(&name) => Some(true),
+        _ => None,
+    };
+    // `O x` is a check, a bare `O` waits for one.
+    let check = |one: &Statement| if one.mnemonic == "O" { Some(true) } else { step(one) };
+    statements.iter().rev().find_map(check)
+}
+
+/// Something among the statements stores the branch result.
+fn writes_branch_result(statements: &[Statement]) -> bool {
+    statements.iter().any(|one| matches!(one.mnemonic, "SAVE" | "JNB" | "JCB"))
+}
+
+/// The bits of local data that the statements read before they write them.
+pub fn reads_before_writing(statements: &[Statement], around: &dyn Surroundings) -> BTreeSet<u32> {
+    let (mut written, mut read) = (BTreeSet::new(), BTreeSet::new());
+    for one in statements {
+        let operands = std::iter::once(&one.operand).chain(one.parameters.iter().map(|parameter| &parameter.actual));
+        for bit in operands.filter_map(|operand| around.scratch(operand)) {
+            match one.mnemonic {
+                "=" => {
+                    written.insert(bit);
+                }
+                _ if !written.contains(&bit) => {
+                    read.insert(bit);
+                }
+                _ => {}
+            }
+        }
+    }
+    read
 }
 
 /// What the text forms can hold: a diagram that is written down must be read again.
