@@ -107,6 +107,15 @@ fn fits(characters: usize, contacts: usize, room: Room) -> bool {
     characters <= room.characters && contacts <= room.contacts
 }
 
+/// Whether a T-branch is cut inside, not before: it is wider than a row anyway, and what stands before it leaves it half of one.
+fn is_cut_inside(rungs: &[Drawn], left: Room, room: Room) -> bool {
+    let row = room.less(STUB_COLUMNS, 0);
+    let is_wide = rungs.iter().any(|rung| !fits(rung.characters(), rung.contacts(), row));
+    let has_room = left.characters >= room.characters / 2 && left.contacts >= room.contacts / 2;
+    let begins = |rung: &Drawn| rung.nodes.first().is_none_or(|first| fits(first.characters, first.contacts, left.less(STUB_COLUMNS, 0)));
+    is_wide && has_room && rungs.iter().all(begins)
+}
+
 /// What is left of elements from a place on, where more than pieces of line is.
 fn cut(nodes: &mut Nodes, index: usize) -> Option<Nodes> {
     let begin = nodes[index..].iter().position(|node| !node.is_gap())? + index;
@@ -189,10 +198,10 @@ impl Wrapper<'_> {
         let left = room.less(used.0, used.1);
         if cut.is_none() && !fits(drawn.tail.characters(), drawn.tail.contacts(), left) {
             match &mut drawn.tail {
-                _ if !drawn.nodes.is_empty() => cut = Some(drawn.nodes.len()),
-                Tail::Branches(rungs) => rungs.iter_mut().for_each(|rung| {
+                Tail::Branches(rungs) if drawn.nodes.is_empty() || is_cut_inside(rungs, left, room) => rungs.iter_mut().for_each(|rung| {
                     self.fit(rung, left);
                 }),
+                _ if !drawn.nodes.is_empty() => cut = Some(drawn.nodes.len()),
                 _ => {}
             }
         }
