@@ -108,19 +108,21 @@ fn by_name(name: &str) -> Option<Language> {
 
 /// Whether the content of a source is without doubt another language than its name says: it is read as what it is.
 pub fn contradiction(name: &str, text: &str) -> Option<Contradiction> {
-    if role::is_test(name, text) || codesys_files::kind(name, text).is_some() {
-        return None;
-    }
-    let lines = content::lines(text);
-    match by_name(name)? {
-        Language::Stl if lines.st >= LINES_AGAINST_NAME && lines.stl == 0 => {
-            Some(Contradiction { place: lines.first_st?, is: "Structured Text", named: "STL" })
+    let named = by_name(name)?;
+    // One line of the language that the name says settles it, in most sources the first.
+    let found = match named {
+        Language::Stl => {
+            let lines = content::lines_until(text, |lines| lines.stl > 0);
+            (lines.stl == 0 && lines.st >= LINES_AGAINST_NAME).then_some((lines.first_st?, "Structured Text", "STL"))
         }
-        Language::St(_) if lines.stl >= LINES_AGAINST_NAME && lines.st == 0 => {
-            Some(Contradiction { place: lines.first_stl?, is: "STL", named: "Structured Text" })
+        Language::St(_) => {
+            let lines = content::lines_until(text, |lines| lines.st > 0);
+            (lines.st == 0 && lines.stl >= LINES_AGAINST_NAME).then_some((lines.first_stl?, "STL", "Structured Text"))
         }
-        _ => None,
-    }
+        Language::Diagram(_) => None,
+    };
+    let (place, is, named) = found?;
+    (!role::is_test(name, text) && codesys_files::kind(name, text).is_none()).then_some(Contradiction { place, is, named })
 }
 
 impl Language {

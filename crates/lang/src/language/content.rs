@@ -183,9 +183,17 @@ const ST_WORDS: [&str; 17] = [
 
 /// Counts the lines of a source that show its language. Lines of declarations, data blocks and parameter lists look alike in both.
 pub(super) fn lines(text: &str) -> Lines {
+    lines_until(text, |_| false)
+}
+
+/// The same up to the line after which enough is known.
+pub(super) fn lines_until(text: &str, is_enough: impl Fn(&Lines) -> bool) -> Lines {
     let mut found = Lines::default();
     let (mut comment, mut declares, mut draws, mut at) = (false, false, false, 0);
     for line in beginning(text).split_inclusive('\n') {
+        if is_enough(&found) {
+            break;
+        }
         let start = at;
         at += line.len();
         let code = if comment { "" } else { line.split("//").next().unwrap_or_default().split("(*").next().unwrap_or_default().trim() };

@@ -83,6 +83,7 @@ pub fn parse_as(file: FileId, text: &str, mnemonics: Option<Mnemonics>, drawing:
         raw: Raw::End,
         end: 0,
         builder: GreenNodeBuilder::new(),
+        forgets: false,
         diagnostics: Vec::new(),
         declared: HashSet::new(),
         foreign: Vec::new(),
@@ -173,6 +174,8 @@ struct Parser<'t> {
     /// One behind the current token.
     end: usize,
     builder: GreenNodeBuilder<'static>,
+    /// Something is read that is forgotten again: nothing of it goes into the tree.
+    forgets: bool,
     diagnostics: Vec<Diagnostic>,
     /// Upper-case names that the current block declares.
     declared: HashSet<String>,
@@ -249,7 +252,7 @@ impl<'t> Parser<'t> {
 
     /// Puts the text up to `end` into the tree and goes on behind it.
     fn bump_to(&mut self, kind: SyntaxKind, end: usize) {
-        if end > self.position {
+        if end > self.position && !self.forgets {
             self.builder.token(kind.into(), &self.text[self.position..end]);
         }
         self.advance(end);
@@ -361,15 +364,21 @@ impl<'t> Parser<'t> {
     }
 
     fn start(&mut self, kind: SyntaxKind) {
-        self.builder.start_node(kind.into());
+        if !self.forgets {
+            self.builder.start_node(kind.into());
+        }
     }
 
     fn start_at(&mut self, checkpoint: Checkpoint, kind: SyntaxKind) {
-        self.builder.start_node_at(checkpoint, kind.into());
+        if !self.forgets {
+            self.builder.start_node_at(checkpoint, kind.into());
+        }
     }
 
     fn finish(&mut self) {
-        self.builder.finish_node();
+        if !self.forgets {
+            self.builder.finish_node();
+        }
     }
 
     /// Goes one level deeper; `false` with a message if that is too deep.

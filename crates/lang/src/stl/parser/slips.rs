@@ -4,7 +4,6 @@
 
 use std::collections::HashSet;
 
-use rowan::GreenNodeBuilder;
 use sieben_model::address::{Width, area_and_width};
 use sieben_model::block::BlockKind;
 use sieben_model::diagnostic::{Certainty, Diagnostic};
@@ -49,7 +48,7 @@ struct Reading {
 impl Parser<'_> {
     /// Reads something at a byte and forgets it again: what was read, where it ended, and what was reported.
     pub(super) fn try_at<T>(&mut self, position: usize, read: impl FnOnce(&mut Self) -> T) -> (T, usize, Vec<Diagnostic>) {
-        let builder = std::mem::replace(&mut self.builder, GreenNodeBuilder::new());
+        let forgets = std::mem::replace(&mut self.forgets, true);
         let diagnostics = std::mem::take(&mut self.diagnostics);
         let foreign = std::mem::take(&mut self.foreign);
         let comments = std::mem::take(&mut self.comments);
@@ -61,7 +60,7 @@ impl Parser<'_> {
         self.trials -= 1;
         self.advance(before);
         (self.depth, self.statement_over) = (depth, over);
-        self.builder = builder;
+        self.forgets = forgets;
         self.foreign = foreign;
         self.comments = comments;
         (result, end, std::mem::replace(&mut self.diagnostics, diagnostics))
