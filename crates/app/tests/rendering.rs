@@ -75,7 +75,7 @@ fn a_page_has_titles_symbols_and_where_they_are_used() {
         "<h1>FC 1 &quot;Filling&quot;: Pump</h1>",
         "<h2>Network 1: &lt;Start&gt; &amp; stop</h2>",
         "data-element=\"contact-7\"",
-        "<td>I 0.0</td><td>Start</td><td>BOOL</td><td>the green button</td><td>FC 1/1 R</td>",
+        "<td>I 0.0</td><td>Start</td><td>BOOL</td><td>the green button</td><td>FC\u{a0}1/1\u{a0}R</td>",
         "<td>Q 4.0</td><td>Pump</td>",
         "size:A4",
         "<p class=\"reason\">Stays STL:",
@@ -253,4 +253,85 @@ Network 1: Runs for too long
     }
     let run = folder.run(&["exec", "pump.st", "--status", "x.svg", "--network", "Pump/1"]);
     assert!(run.code == Some(2) && run.stderr.contains("[P7083]"), "{}", run.stderr);
+}
+
+const MEMBERS: &str = "\
+FUNCTION_BLOCK Pump
+  VAR_INPUT
+    a, b : INT;
+  END_VAR
+  VAR_OUTPUT
+    c : INT;
+    run : BOOL;
+  END_VAR
+  METHOD PUBLIC Go : BOOL
+    VAR_INPUT x : BOOL; END_VAR
+    LD
+    NETWORK
+        NO    x
+        COIL  Go
+  END_METHOD
+  LD
+  NETWORK
+      NO run
+      ADD a, b => c
+  NETWORK
+      GT c, b
+      COIL run
+END_FUNCTION_BLOCK
+
+PROGRAM Main
+  VAR
+    pump : Pump;
+  END_VAR
+  LD
+  NETWORK
+      Pump pump
+          a := 5
+END_PROGRAM
+";
+
+#[test]
+fn programs_and_methods_are_drawn_under_their_own_names_with_all_pins() {
+    let folder = Folder::with(&[("pump.st", MEMBERS)]);
+    let run = folder.run(&["render", "pump.st"]);
+    assert_eq!(run.code, Some(0), "{}", run.stderr);
+    let wanted = "\
+Pump.Go
+
+Network 1
+│   x      Go
+├──┤ ├─────( )──┤
+
+Pump
+
+Network 1
+│  run     ┌──ADD──┐
+├──┤ ├─────┤EN  ENO├
+          a┤IN1 OUT├ c
+          b┤IN2    │
+           └───────┘
+
+Network 2
+│  ┌──GT───┐     run
+├──┤EN  OUT├─────( )──┤
+  c┤IN1    │
+  b┤IN2    │
+   └───────┘
+
+Main
+
+Network 1
+│    pump
+│  ┌─Pump─┐
+├──┤EN ENO├
+  5┤a     │
+   └──────┘
+";
+    assert_eq!(run.stdout, wanted);
+    let run = folder.run(&["render", "pump.st", "--block", "pump.go", "--network", "2"]);
+    assert_eq!(run.code, Some(2), "{}", run.stdout);
+    assert!(run.stderr.contains("[P7082] Error: Pump.Go has no network 2; it has one, network 1"), "{}", run.stderr);
+    let run = folder.run(&["render", "pump.st", "--block", "Tank"]);
+    assert!(run.stderr.contains("It has OB 1, Pump.Go, Pump, Main"), "{}", run.stderr);
 }

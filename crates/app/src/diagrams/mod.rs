@@ -99,8 +99,8 @@ pub(crate) struct Written {
 pub(crate) enum ElementPlaces {
     /// Its statements, which stand here.
     Statements(Vec<Span>),
-    /// Bytes of a source, in a block of Structured Text.
-    Bytes(FileId),
+    /// Bytes of a source, in a block of Structured Text, where the network begins at one of them.
+    Bytes(FileId, u32),
 }
 
 impl ElementPlaces {
@@ -108,7 +108,7 @@ impl ElementPlaces {
     fn span(&self, place: Place) -> Span {
         match self {
             Self::Statements(spans) => spans.get(place.first as usize).copied().unwrap_or_default(),
-            Self::Bytes(file) => Span::new(*file, place.first, place.first),
+            Self::Bytes(file, _) => Span::new(*file, place.first, place.first),
         }
     }
 }
@@ -179,10 +179,11 @@ impl<'b> Diagrams<'b> {
     /// A network of a block by its number.
     pub(crate) fn network<'n>(&self, id: BlockId, block: &'n CodeBlock, number: u32) -> Result<&'n Written, Failure> {
         block.networks.iter().find(|network| network.number == number).ok_or_else(|| {
+            let name = controller::name_in_source(self.build, id).map_or_else(|| id.to_string(), str::to_owned);
             let message = match block.networks.len() {
-                0 => format!("{id} has no network"),
-                1 => format!("{id} has no network {number}; it has one, network 1"),
-                count => format!("{id} has no network {number}; it has networks 1 to {count}"),
+                0 => format!("{name} has no network"),
+                1 => format!("{name} has no network {number}; it has one, network 1"),
+                count => format!("{name} has no network {number}; it has networks 1 to {count}"),
             };
             Failure::usage(Problem::P7082, message)
         })

@@ -40,7 +40,7 @@ impl<'d> LastMoment<'d> {
         if let Some(reason) = diagrams.shown(id, network, form, None).reason {
             return Err(Failure::usage(Problem::P7083, format!("network {number} of {id} is no diagram. {reason}")));
         }
-        if matches!(network.places, ElementPlaces::Bytes(_)) {
+        if matches!(network.places, ElementPlaces::Bytes(..)) {
             let message = format!("{} is a diagram of Structured Text, whose lines cannot be followed yet", diagrams.name(id));
             return Err(Failure::usage(Problem::P7083, message).help("`sieben render` draws it without values"));
         }

@@ -7,6 +7,7 @@ use sieben_lang::network::read::{Answer, Mode};
 use sieben_lang::network::reasons::Refusal;
 use sieben_lang::network::to_lad::to_lad;
 use sieben_lang::st::diagrams::drawn;
+use sieben_lang::st::diagrams::pins::{Pins, name_pins};
 use sieben_lang::stl::ast::Word;
 use sieben_lang::stl::diagrams::DrawnNetwork;
 use sieben_lang::stl::redraw::{SourceBlock, statement_line};
@@ -14,6 +15,7 @@ use sieben_model::block::BlockId;
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::source::FileId;
 
+use super::sources::block_numbered;
 use super::{Blocks, CodeBlock, ElementPlaces, Written, sources};
 use crate::project::Build;
 
@@ -25,28 +27,44 @@ pub(crate) fn blocks(build: &Build) -> Blocks {
             blocks.insert(block.id, code_block(block, source.text, source.mnemonics));
         }
     }
-    let names: HashMap<String, BlockId> = build.compiled.block_names.iter().map(|(&id, name)| (name.to_lowercase(), id)).collect();
-    for file in &build.project.sources {
-        let Some(dialect) = file.language(build.project.settings.dialect).dialect() else { continue };
-        let text = &build.project.texts.program.file(file.id).text;
-        for network in drawn::networks(file.id, text, dialect) {
-            if let Some(&id) = names.get(&network.block.to_lowercase()) {
-                blocks.entry(id).or_default().networks.push(of_structured_text(network, file.id));
-            }
-        }
-    }
+    of_structured_text(build, &mut blocks);
     blocks
 }
 
+/// Adds the bodies of Structured Text that are diagrams.
+fn of_structured_text(build: &Build, blocks: &mut Blocks) {
+    let bodies = &build.compiled.bodies;
+    // The data block of a program has its name too.
+    let with_code = build.compiled.block_names.iter().filter(|(id, _)| bodies.contains_key(id));
+    let names: HashMap<String, BlockId> = with_code.map(|(&id, name)| (name.to_lowercase(), id)).collect();
+    let block = |name: &str| {
+        let by_number = || block_numbered(name).filter(|id| bodies.contains_key(id));
+        names.get(&name.to_lowercase()).copied().or_else(by_number)
+    };
+    for file in &build.project.sources {
+        let Some(dialect) = file.language(build.project.settings.dialect).dialect() else { continue };
+        let pins = |name: &str| {
+            let own = block(name.trim_matches('"')).and_then(|id| Some(Pins::of_block(id, bodies.get(&id)?.interface())));
+            own.or_else(|| Pins::of_standard(name, dialect))
+        };
+        for mut network in drawn::networks(file.id, &build.project.texts.program.file(file.id).text, dialect) {
+            if let Some(id) = block(&network.block) {
+                name_pins(&mut network.network, &pins);
+                blocks.entry(id).or_default().networks.push(drawn_network(network, file.id));
+            }
+        }
+    }
+}
+
 /// A network of a body of Structured Text that is a diagram.
-fn of_structured_text(network: drawn::DrawnNetwork, file: FileId) -> Written {
+fn drawn_network(network: drawn::DrawnNetwork, file: FileId) -> Written {
     Written {
         number: network.number,
         title: some(&network.title),
         comment: some(&network.comment),
         numbers: Vec::new(),
         statements: Vec::new(),
-        places: ElementPlaces::Bytes(file),
+        places: ElementPlaces::Bytes(file, network.span.start),
         read: Ok(network.network),
         text: String::new(),
     }

@@ -7,6 +7,7 @@ use sieben_model::block::BlockId;
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
 
+use crate::controller::name_in_source;
 use crate::failure::Failure;
 use crate::project::{Build, SourceFile};
 
@@ -34,19 +35,30 @@ pub(crate) fn sources(build: &Build) -> Vec<(&SourceFile, Source<'_>)> {
     build.project.sources.iter().filter_map(|file| Some((file, source(file)?))).collect()
 }
 
+fn block_of(operand: Option<Operand>) -> Option<BlockId> {
+    match operand {
+        Some(Operand::Block(block)) => Some(block),
+        _ => None,
+    }
+}
+
+/// The block that `FC 10` or `FC10` names.
+pub(super) fn block_numbered(name: &str) -> Option<BlockId> {
+    block_of(Operand::parse(name))
+}
+
 /// The block that a name on the command line means.
 pub(crate) fn block_named(build: &Build, name: &str) -> Result<BlockId, Failure> {
     let plain = name.trim().trim_matches('"');
-    let as_block = |operand| match operand {
-        Some(Operand::Block(block)) => Some(block),
-        _ => None,
-    };
-    let by_symbol = || as_block(build.project.symbols.operand(plain));
-    let by_name = || build.compiled.block_names.iter().find(|(_, own)| own.eq_ignore_ascii_case(plain)).map(|(id, _)| *id);
-    let found = as_block(Operand::parse(plain)).or_else(by_symbol).or_else(by_name).filter(|id| build.compiled.bodies.contains_key(id));
+    let has_code = |id: &BlockId| build.compiled.bodies.contains_key(id);
+    let by_symbol = || block_of(build.project.symbols.operand(plain));
+    // The data block of a program has its name too.
+    let named = || build.compiled.block_names.iter().filter(|(id, own)| own.to_lowercase() == plain.to_lowercase() && has_code(id));
+    let by_name = || named().map(|(id, _)| *id).next();
+    let found = block_numbered(plain).or_else(by_symbol).or_else(by_name).filter(has_code);
     found.ok_or_else(|| {
-        let all: Vec<String> =
-            build.compiled.bodies.keys().filter(|id| !build.compiled.is_of_library(**id)).map(ToString::to_string).collect();
+        let of_user = build.compiled.bodies.keys().filter(|id| !build.compiled.is_of_library(**id));
+        let all: Vec<String> = of_user.map(|&id| name_in_source(build, id).map_or_else(|| id.to_string(), str::to_owned)).collect();
         Failure::usage(Problem::P7003, format!("there is no block `{name}` in this program")).help(format!("it has {}", all.join(", ")))
     })
 }

@@ -1,6 +1,7 @@
 //! A block as a page of HTML: its header, and each network with its diagram, its symbols and where they are used; it prints on A4.
 
 use std::fmt::Write as _;
+use std::rc::Rc;
 
 use super::style::STYLE;
 use super::svg::escaped;
@@ -36,7 +37,7 @@ pub struct NetworkPage {
     /// Why it is not shown as it was asked for.
     pub reason: Option<String>,
     /// What it names.
-    pub symbols: Vec<SymbolRow>,
+    pub symbols: Vec<Rc<SymbolRow>>,
 }
 
 /// How a network is shown.
@@ -149,7 +150,8 @@ fn draw_network(network: &NetworkPage, out: &mut String) {
                 optional(&row.symbol),
                 optional(&row.data_type),
                 optional(&row.comment),
-                escaped(&row.references.join(", "))
+                // A place stays on one line.
+                row.references.iter().map(|place| escaped(&place.replace(' ', "\u{a0}"))).collect::<Vec<_>>().join(", ")
             );
         }
         out.push_str("</table>\n");

@@ -1,5 +1,7 @@
 //! Markup: what comes from outside stays text, and every picture is well formed.
 
+use std::rc::Rc;
+
 use proptest::prelude::*;
 use sieben_ide::drawing::page::{BlockPage, NetworkPage, PageContent, SymbolRow, html};
 use sieben_ide::drawing::style::STYLE;
@@ -54,7 +56,11 @@ fn a_name_from_outside_never_becomes_markup() {
                     comment: Some(name.to_owned()),
                     content: PageContent::Statements(name.to_owned()),
                     reason: Some(name.to_owned()),
-                    symbols: vec![SymbolRow { address: name.to_owned(), references: vec![name.to_owned()], ..SymbolRow::default() }],
+                    symbols: vec![Rc::new(SymbolRow {
+                        address: name.to_owned(),
+                        references: vec![name.to_owned()],
+                        ..SymbolRow::default()
+                    })],
                 }],
             }],
         );

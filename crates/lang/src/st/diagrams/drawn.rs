@@ -1,5 +1,8 @@
 //! The networks of the bodies of a source, for those who draw them.
 
+use std::collections::HashMap;
+use std::ops::Range;
+
 use sieben_model::source::{FileId, Span};
 
 use super::Language;
@@ -7,16 +10,17 @@ use super::read;
 use crate::network::flavour::Drawing;
 use crate::network::model::Network;
 use crate::st::ast::{Block, Item};
+use crate::st::declare::expand;
 use crate::st::dialect::Dialect;
-use crate::st::lexer::Raw;
+use crate::st::lexer::{Raw, Token};
 use crate::st::parser::parse;
 
 /// A network of a body.
 #[derive(Clone, Debug)]
 pub struct DrawnNetwork {
-    /// The name of the block, as its source has it; empty for a body without one.
+    /// The full name of the block, as its source has it: `Plant.Pump`, `Pump.Start` for a method; empty for a body without one.
     pub block: String,
-    /// Its number in the body, from 1.
+    /// Its number in the block, from 1: an action that is a part of its block goes on counting.
     pub number: u32,
     /// TITLE.
     pub title: String,
@@ -33,26 +37,26 @@ pub struct DrawnNetwork {
 /// The networks of all bodies of a source that are diagrams, in the order of the text.
 pub fn networks(file: FileId, text: &str, dialect: Dialect) -> Vec<DrawnNetwork> {
     let parsed = parse(file, text, dialect);
+    let bodies = bodies(parsed.tokens(), text);
+    // Methods and actions as the blocks that they are compiled to.
+    let expanded = expand(parsed.file);
     let mut blocks = Vec::new();
-    collect(&parsed.file.items, &mut blocks);
+    collect(&expanded.items, "", &mut blocks);
+    let mut counted: HashMap<String, u32> = HashMap::new();
     let mut out = Vec::new();
-    let mut word = Language::Ladder;
-    for token in parsed.tokens() {
-        let written = text.get(token.start as usize..token.end as usize).unwrap_or_default();
-        word = Language::of(written).unwrap_or(word);
-        if token.raw != Raw::Diagram {
-            continue;
-        }
-        let inside = |block: &&&Block| block.span.start <= token.start && token.end <= block.span.end;
-        let block = blocks.iter().filter(inside).min_by_key(|block| block.span.end - block.span.start);
-        let name = block.map_or_else(String::new, |block| block.name.text.clone());
-        for (written, number) in read::networks(text, token.start as usize..token.end as usize, word).networks.into_iter().zip(1..) {
+    for (body, word) in bodies {
+        let inside = |(_, block): &&(String, &Block)| block.span.start as usize <= body.start && body.end <= block.span.end as usize;
+        let block = blocks.iter().filter(inside).min_by_key(|(_, block)| block.span.end - block.span.start);
+        let name = block.map_or_else(String::new, |(name, _)| name.clone());
+        let number = counted.entry(name.to_lowercase()).or_default();
+        for written in read::networks(text, body.clone(), word).networks {
+            *number += 1;
             let head = text.get(written.place.first as usize..written.place.last as usize).unwrap_or_default();
-            let below = text.get(written.place.last as usize..token.end as usize).unwrap_or_default();
+            let below = text.get(written.place.last as usize..body.end).unwrap_or_default();
             let (title, comment) = head_of(head, below);
             out.push(DrawnNetwork {
                 block: name.clone(),
-                number,
+                number: *number,
                 title,
                 comment,
                 network: written.network,
@@ -62,6 +66,20 @@ pub fn networks(file: FileId, text: &str, dialect: Dialect) -> Vec<DrawnNetwork>
         }
     }
     out
+}
+
+/// The bodies of a source that are diagrams, each with the word that it began with.
+fn bodies(tokens: &[Token], text: &str) -> Vec<(Range<usize>, Language)> {
+    let mut word = Language::Ladder;
+    let mut bodies = Vec::new();
+    for token in tokens {
+        let place = token.start as usize..token.end as usize;
+        word = text.get(place.clone()).and_then(Language::of).unwrap_or(word);
+        if token.raw == Raw::Diagram {
+            bodies.push((place, word));
+        }
+    }
+    bodies
 }
 
 /// Title and comment of a network.
@@ -76,11 +94,15 @@ fn head_of(head: &str, below: &str) -> (String, String) {
     (title.unwrap_or_default(), comments.join("\n"))
 }
 
-fn collect<'i>(items: &'i [Item], blocks: &mut Vec<&'i Block>) {
+/// All blocks with their full names; methods and actions are blocks of their own.
+fn collect<'i>(items: &'i [Item], namespace: &str, blocks: &mut Vec<(String, &'i Block)>) {
     for item in items {
         match item {
-            Item::Block(block) => blocks.push(block),
-            Item::Namespace(namespace) => collect(&namespace.items, blocks),
+            Item::Block(block) => blocks.push((format!("{namespace}{}", block.name.text), block)),
+            Item::Namespace(inner) => {
+                let names: Vec<&str> = inner.name.names.iter().map(|name| name.text.as_str()).collect();
+                collect(&inner.items, &format!("{namespace}{}.", names.join(".")), blocks);
+            }
             _ => {}
         }
     }
@@ -97,5 +119,32 @@ mod tests {
         let seen: Vec<_> =
             all.iter().map(|one| (one.block.as_str(), one.number, one.title.as_str(), one.comment.as_str(), one.drawing)).collect();
         assert_eq!(seen, [("Main", 1, "One", "why", Drawing::Lad), ("Main", 2, "", "", Drawing::Fbd)]);
+    }
+
+    fn blocks_of(text: &str, dialect: Dialect) -> Vec<String> {
+        networks(FileId(0), text, dialect).iter().map(|one| format!("{} {}", one.block, one.number)).collect()
+    }
+
+    const BODY: &str = "LD\nNETWORK\n    NO a\n    COIL b\n";
+
+    #[test]
+    fn networks_of_members_belong_to_them() {
+        let block = |temporary: &str| {
+            format!(
+                "FUNCTION_BLOCK Pump\nVAR a, b : BOOL; END_VAR\n{temporary}METHOD Go\n{BODY}NETWORK\n    NO b\n    COIL a\nEND_METHOD\n\
+                 ACTION Reset:\n{BODY}END_ACTION\n{BODY}END_FUNCTION_BLOCK\n"
+            )
+        };
+        assert_eq!(blocks_of(&block(""), Dialect::Codesys), ["Pump.Go 1", "Pump.Go 2", "Pump.Reset 1", "Pump 1"]);
+        // Such an action has no block of its own: its networks are counted with those of the body.
+        let with_temporary = blocks_of(&block("VAR_TEMP t : BOOL; END_VAR\n"), Dialect::Codesys);
+        assert_eq!(with_temporary, ["Pump.Go 1", "Pump.Go 2", "Pump 1", "Pump 2"]);
+    }
+
+    #[test]
+    fn blocks_of_a_namespace_have_its_name() {
+        let text =
+            format!("NAMESPACE Plant.West\nFUNCTION_BLOCK Pump\nVAR a, b : BOOL; END_VAR\n{BODY}END_FUNCTION_BLOCK\nEND_NAMESPACE\n");
+        assert_eq!(blocks_of(&text, Dialect::Iec), ["Plant.West.Pump 1"]);
     }
 }

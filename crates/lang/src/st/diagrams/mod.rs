@@ -4,6 +4,7 @@ mod boxes;
 pub mod drawn;
 pub(in crate::st) mod layout;
 pub(in crate::st) mod lower;
+pub mod pins;
 pub(in crate::st) mod read;
 pub(in crate::st) mod text;
 
