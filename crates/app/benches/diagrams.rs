@@ -1,16 +1,17 @@
 //! How long diagrams take: `cargo bench -p sieben-app --bench diagrams`.
 //!
-//! A block of 1,000 networks is read and drawn, as text and as SVG; then one network of 10,000 contacts, in which the time of a contact
-//! shows whether the layout is linear. A figure is CPU time of the thread, because other work on the machine only ever adds time.
+//! A block of 1,000 networks is read and drawn, as text and as SVG, and one of them is changed; then one network of 10,000 contacts, in which
+//! the time of a contact shows whether the layout is linear. A figure is CPU time of the thread, because other work on the machine only ever adds time.
 #![allow(clippy::print_stdout)] // A measurement prints its figures.
 
 use rustix::time::{ClockId, clock_gettime};
 use sieben_ide::drawing::svg::{Picture, svg};
 use sieben_ide::drawing::text::{Characters, text};
 use sieben_ide::drawing::{Layout, Options as Drawn, function_plan, ladder};
+use sieben_lang::network::flavour::Drawing;
 use sieben_lang::network::model::{Content, End, Kind, Network, OutputKind, Place, Rung};
 use sieben_lang::network::read::{Answer, Mode};
-use sieben_lang::stl::redraw::Source;
+use sieben_lang::stl::redraw::{Form, Redrawing, Source, Target};
 use sieben_lang::{CheckedBody, Database, Options, compile};
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::source::{FileId, Sources};
@@ -71,23 +72,24 @@ fn row_of(name: &str, mut work: impl FnMut() -> usize) {
     println!("| {name} | {:.1} ms | {:.1} ms | {:.1} ms | {} |", times[0], times[ROUNDS / 2], times[ROUNDS - 1], sum / ROUNDS);
 }
 
-/// One network of a block of 1,000 diagrams is changed: the time until all diagnostics are known again.
-fn changed_network() {
+/// One of 1,000 networks is changed, which stand in so many blocks, each in its file: the time until all diagnostics are known again.
+fn changed_network(blocks: usize) {
     let row = |number: usize| format!("NETWORK LAD\n    NO    I 0.{}\n    NC    I 1.0\n    COIL  M {}.0\n", number % 8, number % 200 + 50);
-    let block = |changed: &str| {
-        let networks: String = (0..NETWORKS).map(|number| if number == NETWORKS / 2 { changed.to_owned() } else { row(number) }).collect();
-        format!(
-            "FUNCTION FC 1 : VOID\nBEGIN\n{networks}END_FUNCTION\nORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK LAD\n    CALL FC 1\nEND_ORGANIZATION_BLOCK\n"
-        )
+    let block = |id: usize, changed: &str| {
+        let each = NETWORKS / blocks;
+        let networks: String = (0..each).map(|number| if number == each / 2 { changed.to_owned() } else { row(number) }).collect();
+        format!("FUNCTION FC {id} : VOID\nBEGIN\n{networks}END_FUNCTION\n")
     };
     let options = Options { system_blocks: sieben_cpu::system::interfaces(), ..Options::default() };
     let mut database = Database::new(SymbolTable::default(), options);
-    let id = database.add("block.awl", block(&row(0)));
-    assert!(database.diagnostics().is_empty(), "the block has no mistake");
-    let mut round = 0;
-    row_of("one of 1,000 networks changed, until all diagnostics are known", || {
-        round += 1;
-        database.replace(id, block(&format!("NETWORK LAD\n    NO    I 0.{}\n    SET   M 1.{}\n", round % 8, round % 7)));
+    let calls: String = (1..=blocks).map(|id| format!("NETWORK LAD\n    CALL FC {id}\n")).collect();
+    database.add("main.awl", format!("ORGANIZATION_BLOCK OB 1\nBEGIN\n{calls}END_ORGANIZATION_BLOCK\n"));
+    let files: Vec<_> = (1..=blocks).map(|id| database.add(format!("{id}.awl"), block(id, &row(0)))).collect();
+    assert!(database.diagnostics().is_empty(), "the blocks have no mistake");
+    let changed = |round: usize| block(1, &format!("NETWORK LAD\n    NO    I 0.{}\n    SET   M 1.{}\n", round % 8, round % 7));
+    let mut changes: Vec<String> = (0..ROUNDS).map(changed).collect();
+    row_of(&format!("one of 1,000 networks changed, until all diagnostics are known; blocks: {blocks}"), || {
+        database.replace(files[0], changes.pop().unwrap_or_default());
         database.diagnostics().len()
     });
 }
@@ -135,11 +137,13 @@ fn main() {
     let as_svg = |layout: &Layout| svg(&Picture { title: "a network", layout, flows: None });
     println!("{NETWORKS} networks\n\n| what | least | median | most | bytes |\n|---|---|---|---|---|");
     row_of("statements read into diagrams", || source.blocks(Mode::Strict).len());
+    let redrawing = Redrawing { target: Target::Diagram(Drawing::Lad, Form::A), block: None, mode: Mode::Strict };
+    row_of("statements converted to a file of LAD", || source.redraw(&redrawing).text.len());
     row_of("diagrams as LAD, as text", || drawn(&networks, lad, as_text));
     row_of("diagrams as LAD, as SVG", || drawn(&networks, lad, as_svg));
     row_of("diagrams as FBD, as text", || drawn(&networks, fbd, as_text));
     row_of("diagrams as FBD, as SVG", || drawn(&networks, fbd, as_svg));
-    changed_network();
+    [1, 10, 100].into_iter().for_each(changed_network);
     for count in [1_000, 10_000] {
         let large = [row(count)];
         row_of(&format!("a network of {count} contacts as LAD, as text"), || drawn(&large, lad, as_text));

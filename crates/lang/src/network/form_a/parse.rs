@@ -492,7 +492,8 @@ impl<'t> Parser<'_, 't> {
             self.mistake(MistakeKind::Operand, line, format!("`{word}` needs an operand"));
             return None;
         }
-        if split(written, ",").len() > 1 || split(written, "=>").len() > 1 || split(written, ":=").len() > 1 {
+        // Most operands have none of them, also between quotes.
+        if [",", "=>", ":="].iter().any(|sign| written.contains(sign) && split(written, sign).len() > 1) {
             let (start, end) = (line.start + rest, line.end());
             self.wrong(Mistake::new(MistakeKind::Operand, start, end, format!("`{word}` has one operand; this is more")));
             return None;
