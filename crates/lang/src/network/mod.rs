@@ -16,5 +16,4 @@ pub mod reasons;
 pub mod rules;
 pub mod statement;
 pub mod to_lad;
-pub mod words;
 pub mod write;

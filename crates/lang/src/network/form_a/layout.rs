@@ -3,7 +3,7 @@
 use super::boxes::pin_of;
 use super::line::{INDENT, first_word, lines};
 use super::parse::Parsed;
-use crate::network::words;
+use crate::network::elements;
 
 /// A line before it is laid out.
 #[derive(Clone, Debug, Default)]
@@ -63,7 +63,7 @@ fn one(out: &mut String, line: &FormLine, width: usize) {
 fn aligned(content: &str) -> Option<(&str, &str)> {
     let (word, rest) = first_word(content);
     let alone = matches!(word, "OR" | "/OR" | "AND" | "/AND" | "XOR" | "/XOR" | "END" | "BRANCH" | "LABEL");
-    (words::begins_line(word) && !words::is_box(word) && !alone && pin_of(content).is_none()).then(|| (word, &content[rest..]))
+    (elements::begins_line(word) && !elements::is_box(word) && !alone && pin_of(content).is_none()).then(|| (word, &content[rest..]))
 }
 
 /// A part of a text that was parsed without mistakes, in the usual layout.

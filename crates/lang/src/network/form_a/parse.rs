@@ -3,12 +3,12 @@
 use super::boxes::{Boxes, pin_of};
 use super::line::{TextLine, arguments, first_word, lines, operand, split};
 use crate::network::boxes::COMPARISONS;
+use crate::network::elements;
 use crate::network::flavour::Flavour;
 use crate::network::mistake::{Mistake, MistakeKind};
 use crate::network::model::{Alone, Branch, Content, End, Kind, Line, Network, Output, OutputKind, Place, Rung, XorInput};
 use crate::network::operand::Operand;
 use crate::network::rules::{self, ELEMENTS_MAX};
-use crate::network::words;
 
 /// How deep branches and pins may lie inside each other; STL takes seven levels of brackets.
 pub const NESTING_MAX: usize = 64;
@@ -407,7 +407,7 @@ impl<'t> Parser<'_, 't> {
     fn output(&mut self, line: TextLine<'_>, word: &str, rest: usize) -> Option<Vec<Output>> {
         let place = Place::new(line.start, line.end());
         let iec = self.flavour == Flavour::Iec;
-        if !words::is_coil(word, self.flavour) {
+        if !elements::is_coil(word, self.flavour) {
             return None;
         }
         let written = &line.content[rest..];

@@ -1,8 +1,8 @@
 //! Whether a diagram is written in form A, or on one line.
 
 use super::line::{first_word, lines};
+use crate::network::elements;
 use crate::network::flavour::Flavour;
-use crate::network::words;
 
 /// Whether a network has one element on each line: its first line begins with the word of an element, or no line of it looks like form B.
 pub fn is_form_a(text: &str, flavour: Flavour) -> bool {
@@ -33,7 +33,7 @@ fn begins_form_a<'l>(first: &'l str, mut rest: impl Iterator<Item = &'l str>) ->
         return after.ends_with(':') && !after.trim_end_matches(':').contains(':');
     }
     let plain = |line: &str| begins_with_word(line) && !matches!(first_word(line).0, "S" | "R" | "P" | "N");
-    words::begins_line(word) || (!word.is_empty() && after.is_empty()) || plain(first) || rest.any(plain)
+    elements::begins_line(word) || (!word.is_empty() && after.is_empty()) || plain(first) || rest.any(plain)
 }
 
 /// Whether a line of a diagram of IEC 61131-3 can only be one of form B.
@@ -43,5 +43,5 @@ fn is_form_b(line: &str) -> bool {
 
 /// Whether a line begins with the word of an element, as form A has it: `NO x`, `/OR`.
 fn begins_with_word(line: &str) -> bool {
-    words::begins_line(line.split(char::is_whitespace).next().unwrap_or_default())
+    elements::begins_line(line.split(char::is_whitespace).next().unwrap_or_default())
 }

@@ -13,7 +13,7 @@ use super::places::Reached;
 use super::typed::{Target, Through, Typed};
 use super::types::Kind;
 use crate::network::boxes::{CounterKind, POWER_PINS, TimerKind};
-use crate::network::words;
+use crate::network::elements;
 use crate::st::ast::{
     self, Argument, Call, DiagramBox, Direction, Expression, ExpressionKind, GoesOn, Literal, LiteralKind, Name, Quoting, Wire,
 };
@@ -412,7 +412,7 @@ impl Checker<'_> {
     /// Whether a box is one of S7 blocks only, which is said.
     fn is_of_s7(&mut self, name: &Name) -> bool {
         let upper = name.text.to_ascii_uppercase();
-        if !words::is_box(&upper) || standard::catalogue::page(&name.text).is_some() {
+        if !elements::is_box(&upper) || standard::catalogue::page(&name.text).is_some() {
             return false;
         }
         let message = format!("`{}` is a box of S7 blocks: diagrams of IEC 61131-3 do not have it", name.text);
