@@ -4,7 +4,7 @@ use serde_json::{Value as Json, json};
 use sieben_cpu::Cpu;
 use sieben_model::problems::Problem;
 use sieben_model::symbols::SymbolTable;
-use sieben_sim::names::{Name, NameError, Shown};
+use sieben_sim::names::{Name, NameError, Setting, Shown};
 
 use crate::failure::Failure;
 use crate::nearest::nearest;
@@ -62,32 +62,16 @@ pub(crate) fn resolve_lists(lists: &[String], symbols: &SymbolTable, cpu: &Cpu) 
     lists.iter().flat_map(|list| split_list(list)).map(|name| resolve(name, symbols, cpu)).collect()
 }
 
-/// A value that goes to a name.
-#[derive(Clone, Debug)]
-pub(crate) struct Assignment {
-    /// Where it goes.
-    pub(crate) name: Name,
-    value: String,
+/// Reads `NAME=VALUE`.
+pub(crate) fn setting(text: &str, symbols: &SymbolTable, cpu: &Cpu) -> Result<Setting, Failure> {
+    let (name, value) = split_assignment(text)?;
+    let name = resolve(name, symbols, cpu)?;
+    Setting::new(name, value).map_err(|error| unfit(text, &error))
 }
 
-impl Assignment {
-    /// Reads `NAME=VALUE`.
-    pub(crate) fn parse(text: &str, symbols: &SymbolTable, cpu: &Cpu) -> Result<Self, Failure> {
-        let (name, value) = split_assignment(text)?;
-        let name = resolve(name, symbols, cpu)?;
-        name.accepts(value).map_err(|error| unfit(text, &error))?;
-        Ok(Self { name, value: value.to_owned() })
-    }
-
-    /// The name and the value as it was written.
-    pub(crate) fn into_parts(self) -> (Name, String) {
-        (self.name, self.value)
-    }
-
-    /// Gives the name its value.
-    pub(crate) fn apply(&self, cpu: &mut Cpu) -> Result<(), Failure> {
-        self.name.write(cpu, &self.value).map_err(|error| unfit(&format!("{}={}", self.name.text(), self.value), &error))
-    }
+/// Gives a name its value.
+pub(crate) fn apply(setting: &Setting, cpu: &mut Cpu) -> Result<(), Failure> {
+    setting.apply(cpu).map_err(|error| unfit(&format!("{}={}", setting.name.text(), setting.text), &error))
 }
 
 fn unfit(text: &str, error: &NameError) -> Failure {

@@ -8,12 +8,13 @@ use sieben_cpu::Cpu;
 use sieben_model::problems::Problem;
 use sieben_model::symbols::SymbolTable;
 use sieben_sim::duration::CYCLE_MAX;
+use sieben_sim::names::Setting;
 use sieben_sim::scenario::{Scenario, Times};
 
 use crate::duration;
 use crate::duration::{cycle_argument, duration_argument};
 use crate::failure::Failure;
-use crate::names::Assignment;
+use crate::names;
 use crate::settings::Settings;
 
 /// From one scan to the next, if nobody says otherwise.
@@ -32,8 +33,8 @@ pub(crate) struct ChangeArguments {
 
 impl ChangeArguments {
     /// The changes with their times, in their order, as names of this CPU; what is set before the first scan is set at 0.
-    pub(crate) fn timed(&self, symbols: &SymbolTable, cpu: &Cpu) -> Result<Vec<(Duration, Assignment)>, Failure> {
-        let set = self.set.iter().map(|text| Ok((Duration::ZERO, Assignment::parse(text, symbols, cpu)?)));
+    pub(crate) fn timed(&self, symbols: &SymbolTable, cpu: &Cpu) -> Result<Vec<(Duration, Setting)>, Failure> {
+        let set = self.set.iter().map(|text| Ok((Duration::ZERO, names::setting(text, symbols, cpu)?)));
         let mut all = set.collect::<Result<Vec<_>, Failure>>()?;
         all.extend(timed(&self.at, symbols, cpu)?);
         Ok(all)
@@ -88,20 +89,20 @@ impl Schedule {
 
 /// What changes before the first scan and between two.
 pub(crate) struct Changes {
-    set: Vec<Assignment>,
-    at: Peekable<std::vec::IntoIter<(Duration, Assignment)>>,
+    set: Vec<Setting>,
+    at: Peekable<std::vec::IntoIter<(Duration, Setting)>>,
 }
 
 impl Changes {
     /// Sets what is set before the first scan.
     pub(crate) fn begin(&self, cpu: &mut Cpu) -> Result<(), Failure> {
-        self.set.iter().try_for_each(|assignment| assignment.apply(cpu))
+        self.set.iter().try_for_each(|setting| names::apply(setting, cpu))
     }
 
     /// Sets what the scan at this time shall see.
     pub(crate) fn apply(&mut self, cpu: &mut Cpu, now_us: u64) -> Result<(), Failure> {
-        while let Some((_, assignment)) = self.at.next_if(|(time, _)| time.as_micros() <= u128::from(now_us)) {
-            assignment.apply(cpu)?;
+        while let Some((_, setting)) = self.at.next_if(|(time, _)| time.as_micros() <= u128::from(now_us)) {
+            names::apply(&setting, cpu)?;
         }
         Ok(())
     }
@@ -159,19 +160,15 @@ impl ScheduleArguments {
             Schedule::Cyclic { cycle, scans } => Times::Cyclic { cycle_us: duration::micros(cycle), scans },
             Schedule::At(times) => Times::At(times.into_iter().map(duration::micros).collect()),
         };
-        let written = |assignment: Assignment| {
-            let (name, value) = assignment.into_parts();
-            (name.text().to_owned(), value)
-        };
-        let set = self.change.set.iter().map(|text| Assignment::parse(text, symbols, cpu).map(written)).collect::<Result<Vec<_>, _>>()?;
+        let set = self.change.set.iter().map(|text| names::setting(text, symbols, cpu).map(Into::into)).collect::<Result<_, _>>()?;
         let at = timed(&self.change.at, symbols, cpu)?;
-        let at = at.into_iter().map(|(time, assignment)| (duration::micros(time), vec![written(assignment)])).collect();
+        let at = at.into_iter().map(|(time, setting)| (duration::micros(time), vec![setting.into()])).collect();
         Ok(Scenario::plain(times, set, at))
     }
 
     /// What changes, as names of this CPU.
     pub(crate) fn changes(&self, symbols: &SymbolTable, cpu: &Cpu) -> Result<Changes, Failure> {
-        let set = self.change.set.iter().map(|text| Assignment::parse(text, symbols, cpu)).collect::<Result<_, _>>()?;
+        let set = self.change.set.iter().map(|text| names::setting(text, symbols, cpu)).collect::<Result<_, _>>()?;
         Ok(Changes { set, at: timed(&self.change.at, symbols, cpu)?.into_iter().peekable() })
     }
 }
@@ -188,17 +185,17 @@ pub(crate) fn going_cycle(asked: Option<Duration>, settings: &Settings) -> Durat
 }
 
 /// The changes of `--at` in the order of their times; those of the same time as they were written.
-fn timed(words: &[String], symbols: &SymbolTable, cpu: &Cpu) -> Result<Vec<(Duration, Assignment)>, Failure> {
+fn timed(words: &[String], symbols: &SymbolTable, cpu: &Cpu) -> Result<Vec<(Duration, Setting)>, Failure> {
     let mut timed = Vec::new();
     for pair in words.chunks_exact(2) {
         let time = sieben_sim::duration::parse(&pair[0]).map_err(|message| Failure::usage(Problem::P7005, message))?;
-        let assignment = Assignment::parse(&pair[1], symbols, cpu)?;
-        if assignment.name.is_register() {
+        let setting = names::setting(&pair[1], symbols, cpu)?;
+        if setting.name.is_register() {
             return Err(
                 Failure::usage(Problem::P7003, format!("`{}`: a register can only be set for the first scan", pair[1])).help("use `--set`")
             );
         }
-        timed.push((time, assignment));
+        timed.push((time, setting));
     }
     timed.sort_by_key(|(time, _)| *time);
     Ok(timed)

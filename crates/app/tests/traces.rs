@@ -61,7 +61,7 @@ fn rows(trace: &Trace) -> Vec<(u64, u64, Vec<String>)> {
     trace
         .visit(&trace.all(), &mut |scans| {
             let values: Vec<String> =
-                trace.channels().iter().zip(scans.values).map(|(channel, value)| channel.kind.display(value).to_string()).collect();
+                trace.channels().iter().zip(scans.values).map(|(channel, value)| value.display(&channel.kind).to_string()).collect();
             rows.extend(scans.moments().map(|moment| (moment.scan, moment.time_us, values.clone())));
             Ok(())
         })
@@ -423,7 +423,7 @@ fn what_changes_too_often_for_a_column_is_marked() {
 #[test]
 fn a_value_that_is_not_there_is_no_zero() {
     let cpu = cpu(PROGRAM);
-    let kind = names(&cpu, &["DB1.r"])[0].kind();
-    assert_eq!(kind.display(&Sample::Absent).to_string(), "-");
-    assert_eq!(kind.number(&Sample::Absent), None);
+    let kind = &names(&cpu, &["DB1.r"])[0].recorded();
+    assert_eq!(Sample::Absent.display(kind).to_string(), "-");
+    assert_eq!(Sample::Absent.number(kind), None);
 }

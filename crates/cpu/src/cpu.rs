@@ -4,6 +4,7 @@ mod access;
 mod background;
 mod extension;
 mod interrupting;
+mod items;
 mod loaded;
 mod online_change;
 mod pause;

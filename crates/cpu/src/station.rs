@@ -3,7 +3,10 @@
 use std::fmt;
 
 use sieben_model::address::Operand;
+use sieben_model::block::BlockId;
 use sieben_model::cpu_type::CpuType;
+use sieben_model::item::Item;
+use sieben_model::value::Value;
 
 use crate::cycle::CycleTimes;
 use crate::diagnostic_buffer::DiagnosticBuffer;
@@ -24,11 +27,20 @@ pub enum AccessError {
     Value,
     /// The CPU type does not force this operand: an S7-300 forces inputs and outputs, an S7-400 bit memory too.
     NotForced,
+    /// The variable belongs to a block that does not run at this moment.
+    NotRunning(BlockId),
+    /// The CPU type has only the accumulators 1 and 2.
+    NoRegister,
+    /// It can be read and not set: the status of a timer, what a caller gave, the registers of an open data block.
+    ReadOnly,
 }
 
 impl fmt::Display for AccessError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
+            Self::NotRunning(block) => return write!(f, "`{block}` is not the block that runs"),
+            Self::NoRegister => "the CPU has only the accumulators 1 and 2; the S7-400 has four",
+            Self::ReadOnly => "it can only be read",
             Self::Outside => "the address lies outside what the CPU type or the data block has",
             Self::NotLoaded => "the data block is not loaded",
             Self::NoModule => "no module answers at this address",
@@ -74,6 +86,11 @@ pub trait Station {
     /// # Errors
     /// Nothing is there to be modified.
     fn modify(&mut self, operand: &Operand, value: u32) -> Result<(), AccessError>;
+    /// Reads items, each for itself, all at the same cycle control point. Registers are those after the last statement of OB 1.
+    fn read_items(&self, items: &[Item]) -> Vec<Result<Value, AccessError>>;
+    /// Gives items values, one after the other at the same cycle control point: an input in its module, a register for the beginning of OB 1
+    /// in the next scan, anything else in place. One that cannot be set leaves the others alone.
+    fn write_items(&mut self, values: &[(Item, Value)]) -> Vec<Result<(), AccessError>>;
     /// A timer as it stands.
     fn timer(&self, number: u16) -> Option<TimerReading>;
     /// The diagnostic buffer.

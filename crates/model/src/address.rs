@@ -96,6 +96,17 @@ impl Width {
             Self::QuadWord => 64,
         }
     }
+    /// The width of a value of so many bits, if there is one.
+    pub const fn of_bits(bits: u64) -> Option<Self> {
+        Some(match bits {
+            1 => Self::Bit,
+            8 => Self::Byte,
+            16 => Self::Word,
+            32 => Self::DoubleWord,
+            64 => Self::QuadWord,
+            _ => return None,
+        })
+    }
     /// The letter behind the area (`B`, `W`, `D`, `L`; `X` for a bit of a data block, none elsewhere).
     pub const fn letter(self) -> &'static str {
         match self {
@@ -157,6 +168,14 @@ impl Address {
 }
 
 impl Operand {
+    /// The width of an address; `None` for timers, counters and blocks.
+    pub fn width(&self) -> Option<Width> {
+        match self {
+            Self::Address(address) | Self::InDataBlock { address, .. } => Some(address.width),
+            Self::Timer(_) | Self::Counter(_) | Self::Block(_) => None,
+        }
+    }
+
     /// The operand in the spelling of a mnemonic language.
     pub fn spell(&self, mnemonics: Mnemonics) -> String {
         match self {

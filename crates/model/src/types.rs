@@ -267,6 +267,30 @@ impl DataType {
         WORDS.iter().chain(WORDS_ELSEWHERE).find(|(_, data_type)| data_type == self).map(|&(word, _)| word)
     }
 
+    /// Whether its values have names.
+    pub fn is_enumeration(&self) -> bool {
+        match self {
+            Self::Enumeration(_) => true,
+            Self::Subrange(subrange) => subrange.base.is_enumeration(),
+            _ => false,
+        }
+    }
+
+    /// Whether a value is no number of at most 64 bits but a row of bytes, however short.
+    pub fn stands_in_bytes(&self) -> bool {
+        matches!(
+            self,
+            Self::String(_)
+                | Self::WideString(_)
+                | Self::Array { .. }
+                | Self::Struct(_)
+                | Self::Instance { .. }
+                | Self::Pointer
+                | Self::Any
+                | Self::Void
+        )
+    }
+
     /// The type whose values an enumeration or a subrange holds; any other type itself.
     pub fn base(&self) -> &Self {
         match self {

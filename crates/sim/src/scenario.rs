@@ -61,6 +61,7 @@ use parse::{assignments, byte_range, cyclic, date_and_time, duration, expect, in
 pub use rules::Rules;
 use run::Run;
 
+use crate::names::Setting;
 use crate::wrap::Fault;
 
 /// A line that is not understood, or an expectation that did not come true.
@@ -188,8 +189,31 @@ struct Line {
     command: Command,
 }
 
-/// Names and their values, as they were written.
-pub type Assignments = Vec<(String, String)>;
+/// Values that go to names.
+pub type Assignments = Vec<Assignment>;
+
+/// A value that goes to a name.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Assignment {
+    /// The name as it was written.
+    name: String,
+    /// The value as it was written.
+    value: String,
+    /// What both mean; a scenario that is only read does not know the program yet.
+    meant: Option<Setting>,
+}
+
+impl Assignment {
+    fn written(name: String, value: String) -> Self {
+        Self { name, value, meant: None }
+    }
+}
+
+impl From<Setting> for Assignment {
+    fn from(setting: Setting) -> Self {
+        Self { name: setting.name.text().to_owned(), value: setting.text.clone(), meant: Some(setting) }
+    }
+}
 
 #[derive(Clone, Debug, PartialEq)]
 enum Command {
@@ -302,7 +326,7 @@ impl Scenario {
     /// Every name of something in the program, with the line where it stands first.
     pub fn names(&self) -> Vec<(usize, &str)> {
         let mut seen = std::collections::HashSet::new();
-        let mut names: Vec<(usize, &str)> = self.start_with.iter().map(|(name, _)| (1, name.as_str())).collect();
+        let mut names: Vec<(usize, &str)> = self.start_with.iter().map(|one| (1, one.name.as_str())).collect();
         for line in &self.lines {
             match &line.command {
                 Command::Set(values)
@@ -310,7 +334,7 @@ impl Scenario {
                 | Command::At(_, values)
                 | Command::Always(values)
                 | Command::Expect(values, _) => {
-                    names.extend(values.iter().map(|(name, _)| (line.number, name.as_str())));
+                    names.extend(values.iter().map(|one| (line.number, one.name.as_str())));
                 }
                 Command::Table { inputs, outputs, .. } => {
                     names.extend(inputs.iter().chain(outputs).map(|name| (line.number, name.as_str())));
@@ -543,7 +567,14 @@ impl Scenario {
                         }
                     }
                     let (given, expected) = values.split_at(inputs.len());
-                    let pairs = |names: &[String], values: &[String]| names.iter().cloned().zip(values.iter().cloned()).collect::<Vec<_>>();
+                    let pairs = |names: &[String], values: &[String]| {
+                        names
+                            .iter()
+                            .cloned()
+                            .zip(values.iter().cloned())
+                            .map(|(name, value)| Assignment::written(name, value))
+                            .collect::<Vec<_>>()
+                    };
                     row.set(&pairs(inputs, given));
                     row.scan();
                     row.expect(&pairs(outputs, expected), None);

@@ -2,18 +2,21 @@
 
 use std::sync::Arc;
 
-use sieben_cpu::{Cpu, Rack, Restart, Settings};
+use sieben_cpu::{AccessError, Cpu, Rack, Restart, Settings, Station};
+use sieben_engine::machine::Register;
 use sieben_engine::{Interpreter, Program};
+use sieben_model::address::{Address, Area, Operand, Width};
 use sieben_model::cpu_type::CpuType;
-use sieben_model::literal::Value;
+use sieben_model::item::Item;
 use sieben_model::program::DataBlock;
 use sieben_model::symbols::{Symbol, SymbolTable};
 use sieben_model::types::{DataType, Field, Structure};
+use sieben_model::value::{Content, Kind, Value};
 use sieben_sim::names::{Name, assignments};
 use sieben_sim::scenario::Scenario;
 
 fn field(name: &str, data_type: DataType, offset: u32) -> Field {
-    Field { name: name.to_owned(), data_type, offset: offset * 8, initial: Vec::<Value>::new(), comment: String::new() }
+    Field { name: name.to_owned(), data_type, offset: offset * 8, initial: Vec::new(), comment: String::new() }
 }
 
 /// DB 7 with a field of many types.
@@ -98,6 +101,9 @@ fn what_is_set_is_shown_by_its_type() {
         ("Store.count", "L#-70000", "-70000"),
         ("DB7.word", "'xyz'", "'xyz'"),
         ("DB7.six", "''", "''"),
+        ("P#M 40.0 BYTE 4", "16#01 02 03 FF", "01 02 03 FF"),
+        ("P#DB7.DBX 44.0 BYTE 2", "6162", "61 62"),
+        ("P#E 2.0 BYTE 1", "16#A5", "A5"),
     ] {
         let parsed = Name::parse(name, &symbols(), cpu.program()).unwrap_or_else(|error| panic!("{name}: {error}"));
         parsed.write(&mut cpu, value).unwrap_or_else(|error| panic!("{name}={value}: {error}"));
@@ -147,6 +153,10 @@ fn what_is_no_name_or_no_value_is_said_in_the_users_words() {
         ("STW", "11", "nine characters"),
         ("DB7.word", "'vwxyz'", "holds 4 characters"),
         ("DB7.word", "5", "in single quotes"),
+        ("P#M 0.1 BYTE 2", "0000", "names no bytes"),
+        ("P#M 0.0 WORD 2", "0000", "names no bytes"),
+        ("P#DB7.DBX 40.0 BYTE 9", "16#010203040506070809", "outside"),
+        ("P#M 0.0 BYTE 2", "16#01", "2 bytes as hex digits"),
     ] {
         let error = match Name::parse(name, &symbols(), cpu.program()).and_then(|name| name.write(&mut cpu, value)) {
             Ok(()) => panic!("{name}={value} was taken"),
@@ -154,6 +164,48 @@ fn what_is_no_name_or_no_value_is_said_in_the_users_words() {
         };
         assert!(error.contains(word), "{name}={value}: {error}");
     }
+}
+
+#[test]
+fn a_list_of_items_is_read_and_written_each_for_itself() {
+    let mut cpu = cpu(&CpuType::ALL[0]);
+    cpu.restart(Restart::Warm);
+    let quad = Operand::Address(Address { area: Area::BitMemory, width: Width::QuadWord, byte: 100, bit: 0 });
+    let items = [
+        Item::area(Area::BitMemory, 10, 4),
+        Item::data(7, 0, 48),
+        Item::data(7, 40, 9),
+        Item::data(8, 0, 1),
+        Item::operand(quad),
+        Item::typed(quad, Some(&DataType::LongInt)),
+        Item::area(Area::Local, 0, 1),
+        Item::area(Area::BitMemory, u32::MAX, u32::MAX),
+        Item::register(Register::Accu3),
+    ];
+    let values = [
+        (items[0].clone(), Value::bytes([1, 2, 3, 4])),
+        (items[2].clone(), Value::bytes([0; 9])),
+        (items[5].clone(), items[5].value("-2").expect("a number")),
+        (Item::timer_status(1), Value::bits(Kind::Bit, 1)),
+        (items[0].clone(), Value::bytes([0; 5])),
+        (Item::operand(Operand::Counter(1)), Value::bits(Kind::Number, 1_000)),
+        (Item::area(Area::Output, 4, 2), Value::bytes([0x12, 0x34])),
+    ];
+    assert_eq!(
+        cpu.write_items(&values),
+        [Ok(()), Err(AccessError::Outside), Ok(()), Err(AccessError::ReadOnly), Err(AccessError::Value), Err(AccessError::Value), Ok(())]
+    );
+    let read = cpu.read_items(&items);
+    assert_eq!(read[0], Ok(Value::bytes([1, 2, 3, 4])));
+    assert_eq!(read[1].as_ref().map(|value| value.content.clone()), Ok(Content::Bytes(program().data[&7].image.clone().into())));
+    assert_eq!(read[2], Err(AccessError::Outside));
+    assert_eq!(read[3], Err(AccessError::NotLoaded));
+    assert_eq!(read[4], Ok(Value::bits(Kind::Bits(64), u64::MAX - 1)));
+    assert_eq!(read[5].as_ref().map(|value| value.shown().to_string()).as_deref(), Ok("-2"));
+    assert_eq!(read[6], Err(AccessError::NotAccessible));
+    assert_eq!(read[7], Err(AccessError::Outside));
+    assert_eq!(read[8], Err(AccessError::NoRegister));
+    assert_eq!(cpu.read(&Operand::parse("AW 4").expect("an address")), Ok(0x1234));
 }
 
 #[test]

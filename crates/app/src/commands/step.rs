@@ -83,10 +83,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let mut cpu = controller::load(&build, EngineArgument::Interpreter, StatusBits::All, controller::settings(&build));
     arguments.faults.inject(&mut cpu)?;
     arguments.faults.note(&mut build.project.settings.modules);
-    let timed = arguments.change.timed(&build.project.symbols, &cpu)?.into_iter().map(|(time, assignment)| {
-        let (name, value) = assignment.into_parts();
-        (duration::micros(time), name, value)
-    });
+    let timed = arguments.change.timed(&build.project.symbols, &cpu)?.into_iter();
+    let timed = timed.map(|(time, setting)| (duration::micros(time), setting));
     let plan = Plan::new(duration::micros(cycle), arguments.scans, timed.collect());
     let mut stepper = match &arguments.replay {
         Some(path) => replay(path, &build, cpu, plan)?,

@@ -462,7 +462,7 @@ fn print_json(trace: &Trace, range: &RangeInclusive<u64>, outcome: &Outcome) -> 
                 .iter()
                 .map(|&index| {
                     let channel = &trace.channels()[index];
-                    (channel.name.clone(), channel.kind.show(&scans.values[index]).map_or(Value::Null, |shown| names::shown_json(&shown)))
+                    (channel.name.clone(), scans.values[index].shown(&channel.kind).map_or(Value::Null, |shown| names::shown_json(&shown)))
                 })
                 .collect();
             let line = json!({ "scan": scans.first.scan, "time_ms": time(scans.first), "values": values });

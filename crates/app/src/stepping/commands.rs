@@ -3,7 +3,7 @@
 use sieben_model::block::BlockId;
 use sieben_model::problems::Problem;
 use sieben_sim::history::{Condition, Halt, Target};
-use sieben_sim::names::Name;
+use sieben_sim::names::{Name, Setting};
 
 use super::texts::{self, Text, pick};
 use super::{Direction, Language, LocalValue, STATEMENTS_MAX, Stepper, Unit, Who};
@@ -118,7 +118,7 @@ pub(crate) enum Answer {
     /// The variables of the block that runs, if one does.
     Locals(Option<(BlockId, Vec<LocalValue>)>),
     /// A value was set.
-    Set(Name, String),
+    Set(Setting),
     /// The last change of a value.
     Who(Name, Option<Who>),
     /// A breakpoint was set.
@@ -236,9 +236,9 @@ fn verb(stepper: &mut Stepper<'_>, found: &Row, operand: &str, row: &mut dyn FnM
             let (text, value) = command_names::split_assignment(operand)?;
             let name = name(stepper, text, stepper.here())?;
             let unfit = |error: sieben_sim::names::NameError| Failure::usage(Problem::P7004, format!("`{operand}`: {error}"));
-            name.accepts(value).map_err(unfit)?;
-            stepper.set(&name, value).map_err(unfit)?;
-            Answer::Set(name, value.to_owned())
+            let setting = Setting::new(name, value).map_err(unfit)?;
+            stepper.set(setting.clone()).map_err(unfit)?;
+            Answer::Set(setting)
         }
         Verb::Where => Answer::Moved(Halt::Reached),
         Verb::Stack => Answer::Text(stack(stepper)),

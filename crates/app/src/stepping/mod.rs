@@ -25,7 +25,7 @@ use sieben_model::types::DataType;
 use sieben_sim::history::{
     Breakpoint, Breakpoints, By, Condition, Halt, History, Hit, Plan, Position, StoreIfRlo, Target, Until, Unwatched, Watch,
 };
-use sieben_sim::names::{Name, NameError, Scope, Shown};
+use sieben_sim::names::{Name, NameError, Scope, Setting, Shown};
 
 pub(crate) use changes::Change;
 pub(crate) use listing::{Goal, Line, Listing};
@@ -424,8 +424,8 @@ impl<'b> Stepper<'b> {
     ///
     /// # Errors
     /// It cannot be set.
-    pub(crate) fn set(&mut self, name: &Name, value: &str) -> Result<(), NameError> {
-        self.history.set(name, value)
+    pub(crate) fn set(&mut self, setting: Setting) -> Result<(), NameError> {
+        self.history.set(setting)
     }
 
     /// Who changed a value last, before now; `None` if nobody did since the beginning, or since what is kept.

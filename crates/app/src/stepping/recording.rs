@@ -4,7 +4,7 @@ use sieben_cpu::Restart;
 use sieben_engine::Program;
 use sieben_sim::duration::CYCLE_MAX;
 use sieben_sim::history::{Action, History};
-use sieben_sim::names::Name;
+use sieben_sim::names::{Name, Setting};
 
 use super::Stepper;
 use crate::project::Build;
@@ -74,8 +74,8 @@ pub(crate) fn write(stepper: &Stepper<'_>) -> Option<String> {
         match action {
             Action::Scan { now_us } => scans = Some(Scans { first_us: *now_us, step_us: 0, count: 1 }),
             Action::Restart(restart) => text.push_str(&format!("restart {}\n", restart_word(*restart))),
-            Action::Set { name, value } if inside => text.push_str(&format!("set @{at} {}={value}\n", name.full_text())),
-            Action::Set { name, value } => text.push_str(&format!("set {}={value}\n", name.full_text())),
+            Action::Set(set) if inside => text.push_str(&format!("set @{at} {}={}\n", set.name.full_text(), set.text)),
+            Action::Set(set) => text.push_str(&format!("set {}={}\n", set.name.full_text(), set.text)),
         }
     }
     if let Some(run) = scans {
@@ -179,8 +179,8 @@ pub(crate) fn read(text: &str, build: &Build, parse: impl Fn(&str) -> Result<Nam
                 };
                 let (name, value) = crate::names::split_assignment(assignment).map_err(|failure| wrong(number, &failure.message))?;
                 let name = parse(name).map_err(|message| wrong(number, &message))?;
-                name.accepts(value).map_err(|error| wrong(number, &error.to_string()))?;
-                actions.push((Action::Set { name, value: value.to_owned() }, at));
+                let setting = Setting::new(name, value).map_err(|error| wrong(number, &error.to_string()))?;
+                actions.push((Action::Set(setting), at));
             }
             _ => return Err(wrong(number, &format!("`{word}` is none of restart, scan, set and end"))),
         }

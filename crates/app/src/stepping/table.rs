@@ -5,7 +5,7 @@ use sieben_cpu::OperatingMode;
 use sieben_model::block::BlockId;
 use sieben_model::interface::Section;
 use sieben_sim::history::{Breakpoint, By, Halt};
-use sieben_sim::names::Name;
+use sieben_sim::names::{Name, Setting};
 
 use super::commands::Answer;
 use super::{Change, Language, Line, LocalValue, Stepper, View, Who, texts};
@@ -111,10 +111,10 @@ pub(crate) fn answer(stepper: &mut Stepper<'_>, answer: &Answer) -> String {
         }
         Answer::Values(names) => names.iter().map(|name| format!("  {} = {}\n", name.text(), stepper.value(name))).collect(),
         Answer::Locals(locals) => locals_text(stepper, locals.as_ref()),
-        Answer::Set(name, value) => {
-            let taken = name.accepts(value).is_ok() && name.holds(stepper.cpu(), value).unwrap_or(true);
+        Answer::Set(Setting { name, text, .. }) => {
+            let taken = name.holds(stepper.cpu(), text).unwrap_or(true);
             let later = if taken { "" } else { texts::pick(stepper.language, texts::SEEN_LATER) };
-            format!("  {}{later}\n", stepper.say(texts::IS_SET, &[&name.text(), value]))
+            format!("  {}{later}\n", stepper.say(texts::IS_SET, &[&name.text(), text]))
         }
         Answer::Who(name, who) => format!("  {}\n", who_text(stepper, name, who.as_ref())),
         Answer::Breakpoint(number, text) => format!("  {}\n", stepper.say(texts::BREAKPOINT, &[number, text])),
@@ -274,7 +274,7 @@ pub(crate) fn answer_json(stepper: &mut Stepper<'_>, command: &str, answer: &Ans
             });
         }
         Answer::Values(names) => object["values"] = Value::Object(shown(names, stepper)),
-        Answer::Set(name, value) => object["set"] = json!({ "name": name.text(), "value": value }),
+        Answer::Set(set) => object["set"] = json!({ "name": set.name.text(), "value": set.text }),
         Answer::Who(name, who) => {
             object["who"] = who.as_ref().map_or(Value::Null, |who| {
                 json!({ "name": name.text(), "position": who.position, "scan": who.scan, "before": who.change.0, "after": who.change.1,

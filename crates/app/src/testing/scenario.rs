@@ -219,8 +219,8 @@ impl Test<'_> {
         wrong.lines.extend(files::cut_off(&self.file, &self.scenario));
         let others: Vec<&Difference> = judge.differences.iter().skip(1).collect();
         if let Some(difference) = judge.differences.first().filter(|difference| difference.line == first.line) {
-            let kind = difference.place.kind();
-            let show = |sample: &Sample| kind.display(sample).to_string();
+            let kind = difference.place.recorded();
+            let show = |sample: &Sample| sample.display(&kind).to_string();
             wrong.values = Some((show(&difference.expected), show(&difference.actual)));
             let word = word(&kind);
             wrong.types = Some((word.clone(), word));
@@ -248,7 +248,7 @@ impl Test<'_> {
     fn place(&self, difference: &Difference) -> String {
         let mnemonics = Places::new(&self.build).mnemonics;
         let address = difference.place.operand().map(|operand| operand.spell(mnemonics));
-        let word = Some(word(&difference.place.kind())).filter(|word| !word.is_empty());
+        let word = Some(word(&difference.place.recorded())).filter(|word| !word.is_empty());
         let what: Vec<String> = word.into_iter().chain(address).collect();
         format!("`{}`: {}", difference.place.text().trim_matches('"'), what.join(" at "))
     }
@@ -339,14 +339,14 @@ impl<'a> Again<'a> {
         lanes.sort_by_key(|&(_, scan)| std::cmp::Reverse(scan));
         lanes.truncate(LANES_MAX);
         lanes.sort_by_key(|&(lane, _)| lane);
-        let kind = self.difference.place.kind();
+        let kind = self.difference.place.recorded();
         let mut channels = vec![
             Channel { name: format!("{name} expected"), kind: kind.clone() },
             Channel { name: format!("{name} actual"), kind: kind.clone() },
         ];
         channels.extend(lanes.iter().map(|&(lane, _)| {
             let name = &self.names[lane - 2];
-            Channel { name: name.text().trim_matches('"').to_owned(), kind: name.kind() }
+            Channel { name: name.text().trim_matches('"').to_owned(), kind: name.recorded() }
         }));
         let mut recorder = Recorder::of_channels(channels, Keep::All, Origin::default(), Box::new(Memory::default())).ok()?;
         for (at, values) in &self.rows {
@@ -354,7 +354,7 @@ impl<'a> Again<'a> {
                 [0, 1].into_iter().chain(lanes.iter().map(|&(lane, _)| lane)).map(|lane| values[lane].clone()).collect();
             recorder.put(*at, &chosen).ok()?;
         }
-        let show = |sample: &Sample| kind.display(sample).to_string();
+        let show = |sample: &Sample| sample.display(&kind).to_string();
         let label = format!("{name} should be {}, is {}", show(&self.difference.expected), show(&self.difference.actual));
         Some((recorder.finish().ok()?, Mark { moment: *moment, label }))
     }

@@ -243,7 +243,7 @@ fn name(signal: &Signal) -> Name {
         Some(db) => Operand::InDataBlock { db, address: signal.address },
         None => Operand::Address(signal.address),
     };
-    Name::at(signal.name.clone(), operand, Some(signal.data_type.clone()))
+    Name::at(signal.name.clone(), operand, Some(&signal.data_type))
 }
 
 /// The trail as text, and as a file if the user wants one.

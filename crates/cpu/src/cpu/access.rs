@@ -3,6 +3,8 @@
 use sieben_model::address::{Address, Area, Operand, Width};
 use sieben_model::bcd;
 use sieben_model::cpu_type::CpuType;
+use sieben_model::item::Item;
+use sieben_model::value::Value;
 
 use super::Cpu;
 use crate::cycle::CycleTimes;
@@ -73,6 +75,14 @@ impl Station for Cpu {
         }
     }
 
+    fn read_items(&self, items: &[Item]) -> Vec<Result<Value, AccessError>> {
+        items.iter().map(|item| self.value(item)).collect()
+    }
+
+    fn write_items(&mut self, values: &[(Item, Value)]) -> Vec<Result<(), AccessError>> {
+        values.iter().map(|(item, value)| self.set(item, &value.content)).collect()
+    }
+
     fn timer(&self, number: u16) -> Option<TimerReading> {
         let mut timer = self.machine.timers.get(usize::from(number))?.clone();
         let now = self.machine.clock_us;
@@ -119,17 +129,6 @@ fn check_bit(operand: &Operand) -> Result<(), AccessError> {
 }
 
 impl Cpu {
-    /// Sets bytes of the memory of the program: a variable of a block that runs, which has no address of its own. `at` is a byte of the arena;
-    /// `false` if it lies outside.
-    pub fn modify_memory(&mut self, at: usize, bit: u8, width: Width, value: u64) -> bool {
-        let inside = at.checked_add(width.bytes() as usize).is_some_and(|end| end <= self.machine.memory.arena.len());
-        if inside {
-            self.images.changed();
-            self.machine.memory.write_wide(at, bit & 7, width, value);
-        }
-        inside
-    }
-
     /// What is forced.
     pub fn forced(&self) -> &Forced {
         &self.forced
@@ -179,7 +178,7 @@ impl Cpu {
     }
 
     /// Why an operand of the data memory has no value.
-    fn why_not(&self, operand: &Operand) -> AccessError {
+    pub(super) fn why_not(&self, operand: &Operand) -> AccessError {
         match operand {
             Operand::InDataBlock { db, .. } if self.machine.memory.data_block(u64::from(*db)).is_none() => AccessError::NotLoaded,
             Operand::InDataBlock { .. } => AccessError::Outside,

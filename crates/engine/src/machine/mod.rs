@@ -5,7 +5,6 @@ pub mod data_block_table;
 pub mod known_layout;
 pub mod layout;
 pub mod memory;
-pub mod registers;
 pub mod timers;
 
 use std::sync::Arc;
@@ -17,7 +16,7 @@ use crate::fault::Abort;
 pub use counters::Counter;
 pub use layout::Layout;
 pub use memory::Memory;
-pub use registers::{Register, Registers, StatusWord};
+pub use sieben_model::registers::{self, Register, Registers, StatusWord};
 pub use timers::{Timer, TimerKind};
 
 /// In a pointer to V, the bits from this one to bit 23 count the calls that it was passed on over.

@@ -15,7 +15,7 @@ use std::collections::VecDeque;
 use sieben_cpu::{Cpu, OperatingMode};
 use sieben_engine::{FaultPlace, Machine, StatementEvent};
 
-use crate::names::{Name, NameError};
+use crate::names::{NameError, Setting};
 
 use drive::{Drive, Watching};
 use kept::Kept;
@@ -338,18 +338,18 @@ impl History {
     /// Sets a value from outside, here and now. What was recorded ahead is forgotten: the run goes another way from here.
     ///
     /// # Errors
-    /// The value is none, nothing of that name can be set, or this is the past and a module cannot be copied.
-    pub fn set(&mut self, name: &Name, value: &str) -> Result<(), NameError> {
+    /// Nothing of that name can be set, or this is the past and a module cannot be copied.
+    pub fn set(&mut self, setting: Setting) -> Result<(), NameError> {
         let present = self.is_at_present();
         if !present && !self.kept.has_modules() {
             return Err(NameError::new(format!(
                 "`{}` cannot be set in the past: a module of this CPU cannot go back; go to the end of the history first",
-                name.text()
+                setting.name.text()
             )));
         }
-        name.write(&mut self.cpu, value)?;
+        setting.apply(&mut self.cpu)?;
         self.forget_ahead();
-        let action = Action::Set { name: name.clone(), value: value.to_owned() };
+        let action = Action::Set(setting);
         self.log.push_back(Entry { action, at: self.position.statements, inside: self.cpu.is_paused() });
         self.position.actions += 1;
         Ok(())
@@ -377,7 +377,7 @@ impl History {
     /// Whether a scan is what runs or has run last; else it is a startup.
     fn in_scan(&self) -> bool {
         let done = self.log.iter().take(self.position.actions - self.dropped);
-        let begun = done.rev().find(|entry| !matches!(entry.action, Action::Set { .. }));
+        let begun = done.rev().find(|entry| !matches!(entry.action, Action::Set(_)));
         begun.is_some_and(|entry| matches!(entry.action, Action::Scan { .. }))
     }
 
@@ -402,10 +402,10 @@ impl History {
         // What is set between two statements, and where the next such thing is.
         let set_inside = set_at(self.entry(self.position.actions + usize::from(!paused)));
         let entry = self.entry(self.position.actions).map(|entry| entry.action.clone());
-        if let Some(Action::Set { name, value }) = entry.as_ref().filter(|_| !paused || set_inside == Some(here)) {
+        if let Some(Action::Set(setting)) = entry.as_ref().filter(|_| !paused || set_inside == Some(here)) {
             // It was accepted when it was recorded, but a recording may have been changed.
-            self.refused |= name.write(&mut self.cpu, value).is_err();
-            drive.watch.outside(self.cpu.machine(), &Action::Set { name: name.clone(), value: value.clone() });
+            self.refused |= setting.apply(&mut self.cpu).is_err();
+            drive.watch.outside(self.cpu.machine(), &Action::Set(setting.clone()));
             self.position.actions += 1;
             self.keep_if_due();
             return Went { wanted: false, reached: false, scan_ended: false };
@@ -430,7 +430,7 @@ impl History {
                 self.scans += 1;
                 self.cpu.scan_traced(now_us, &mut drive);
             }
-            Some(Action::Set { .. }) | None => {}
+            Some(Action::Set(_)) | None => {}
         }
         let (executed, wanted, next_place) = (drive.executed, drive.wanted, drive.next_place);
         if executed > here {

@@ -2,7 +2,7 @@
 
 use sieben_cpu::Restart;
 
-use crate::names::Name;
+use crate::names::Setting;
 
 /// Something from outside.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,12 +15,7 @@ pub enum Action {
         now_us: u64,
     },
     /// A value is set.
-    Set {
-        /// What.
-        name: Name,
-        /// The value as a user writes it.
-        value: String,
-    },
+    Set(Setting),
 }
 
 /// What comes when.
@@ -31,7 +26,7 @@ pub struct Plan {
     /// How many scans there are; `None` = as many as are wanted.
     pub scans: Option<u64>,
     /// Values that are set: by the first scan that begins at this time, in microseconds, or later. In the order of their times.
-    pub timed: Vec<(u64, Name, String)>,
+    pub timed: Vec<(u64, Setting)>,
     started: bool,
     done: u64,
     /// When the last scan began.
@@ -41,7 +36,7 @@ pub struct Plan {
 
 impl Plan {
     /// Scans every so many microseconds, and what is set at its time.
-    pub fn new(cycle_us: u64, scans: Option<u64>, mut timed: Vec<(u64, Name, String)>) -> Self {
+    pub fn new(cycle_us: u64, scans: Option<u64>, mut timed: Vec<(u64, Setting)>) -> Self {
         timed.sort_by_key(|(time, ..)| *time);
         Self { cycle_us, scans, timed, ..Self::default() }
     }
@@ -56,8 +51,8 @@ impl Plan {
         }
         let now_us = self.last_us.map_or(0, |last| last.saturating_add(self.cycle_us));
         let mut actions = Vec::new();
-        while let Some((_, name, value)) = self.timed.get(self.set).filter(|(time, ..)| *time <= now_us) {
-            actions.push(Action::Set { name: name.clone(), value: value.clone() });
+        while let Some((_, setting)) = self.timed.get(self.set).filter(|(time, _)| *time <= now_us) {
+            actions.push(Action::Set(setting.clone()));
             self.set += 1;
         }
         actions.push(Action::Scan { now_us });

@@ -6,6 +6,7 @@ use std::collections::BTreeSet;
 use sieben_engine::machine::Registers;
 use sieben_engine::{FaultPlace, Machine, StatementEvent, Stored};
 use sieben_model::block::BlockId;
+use sieben_model::value::Content;
 
 use super::drive::Watch;
 use super::plan::Action;
@@ -75,14 +76,17 @@ impl Condition {
             return Err(NameError::new(format!("`{text}` is no condition; write a name, one of =, <>, >, >=, <, <= and a value")));
         };
         let name = parse(text[..at].trim())?;
-        let bits = name.value(text[at + sign.len()..].trim())?;
+        let text = text[at + sign.len()..].trim();
+        let Content::Bits(bits) = name.value(text)?.content else {
+            return Err(NameError::new(format!("`{}` has more than 64 bits, so it can only change", name.text())));
+        };
         Ok(Self { name, relation, bits })
     }
 
     /// Whether it holds.
     pub fn holds(&self, machine: &Machine, registers: &Registers) -> bool {
         let value = self.name.bits_in(machine, registers);
-        value.is_some_and(|value| self.relation.holds(self.name.compare(value, self.bits)))
+        value.is_some_and(|value| self.relation.holds(self.name.kind().compare(value, self.bits)))
     }
 }
 
@@ -285,11 +289,11 @@ impl Watch for Breakpoints<'_> {
                     seen.outside = Some(By::ProcessImage);
                     seen.stored = true;
                 }
-                Action::Set { name: set, .. } if set.stores(machine).is_some_and(|place| stored(&place)) => {
+                Action::Set(set) if set.name.stores(machine).is_some_and(|place| stored(&place)) => {
                     seen.outside = Some(By::Set);
                     seen.stored = true;
                 }
-                Action::Scan { .. } | Action::Restart(_) | Action::Set { .. } => {}
+                Action::Scan { .. } | Action::Restart(_) | Action::Set(_) => {}
             }
         }
     }

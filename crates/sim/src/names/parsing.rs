@@ -2,13 +2,15 @@
 
 use sieben_engine::Program;
 use sieben_engine::machine::Register;
-use sieben_model::address::{Address, Area, Operand, Width};
+use sieben_model::address::{Area, Operand};
 use sieben_model::block::{BlockId, BlockKind};
+use sieben_model::item::{Item, Local};
+use sieben_model::literal::{self, Value};
 use sieben_model::symbols::SymbolTable;
 use sieben_model::types::{DataType, Structure};
 
-use super::local::{Local, Scope};
-use super::{NameError, Target};
+use super::NameError;
+use super::local::{self, Scope};
 
 /// Names of the status bits, in either mnemonic language.
 pub(super) const STATUS_NAMES: &[(&str, Register)] = &[
@@ -44,6 +46,9 @@ const REGISTER_NAMES: &[(&str, Register)] = &[
     ("DILG", Register::DiLength),
 ];
 
+/// The code of BYTE in an ANY.
+const BYTES: u8 = 2;
+
 /// What the status bits are called in German, beside what they are called here.
 const GERMAN_STATUS_NAMES: &[(&str, &str)] = &[("BIE", "BR"), ("A1", "CC1"), ("A0", "CC0"), ("VKE", "RLO"), ("/ER", "/FC"), ("ER", "/FC")];
 
@@ -57,16 +62,16 @@ fn bit_above_seven(text: &str) -> Option<NameError> {
 }
 
 /// A register, timer, counter or address; `None` if it is none of them.
-pub(super) fn absolute(text: &str) -> Result<Option<Target>, NameError> {
+pub(super) fn absolute(text: &str) -> Result<Option<Item>, NameError> {
     let plain: String = text.chars().filter(|c| !c.is_whitespace()).collect::<String>().to_ascii_uppercase();
     if plain == "STW" {
-        return Ok(Some(Target::Status));
+        return Ok(Some(Item::status()));
     }
     if let Some(bit) = plain.strip_prefix("STW.") {
         let german = GERMAN_STATUS_NAMES.iter().find(|&&(german, _)| german == bit);
         let bit = german.map_or(bit, |&(_, english)| english);
         return match STATUS_NAMES.iter().find(|&&(name, _)| name == bit) {
-            Some(&(_, register)) => Ok(Some(Target::Register(register))),
+            Some(&(_, register)) => Ok(Some(Item::register(register))),
             None => {
                 let message = format!("the status word has no bit `{bit}`; its bits are BR, CC1, CC0, OV, OS, OR, STA, RLO and /FC");
                 Err(NameError::new(message))
@@ -75,30 +80,51 @@ pub(super) fn absolute(text: &str) -> Result<Option<Target>, NameError> {
     }
     let register = plain.strip_prefix("AKKU").map_or_else(|| plain.clone(), |number| format!("ACCU{number}"));
     if let Some(&(_, register)) = REGISTER_NAMES.iter().find(|&&(name, _)| name == register) {
-        return Ok(Some(Target::Register(register)));
+        return Ok(Some(Item::register(register)));
     }
     if let Some(timer) = plain.strip_suffix(".Q")
         && let Some(Operand::Timer(number)) = Operand::parse(timer)
     {
-        return Ok(Some(Target::TimerStatus(number)));
+        return Ok(Some(Item::timer_status(number)));
+    }
+    if plain.starts_with("P#") {
+        return bytes(text).map(Some);
     }
     match Operand::parse(&plain) {
         Some(Operand::Block(block)) => {
             Err(NameError::new(format!("`{block}` is a block, which has no value; name an address or a field in it")))
         }
-        Some(operand) => Ok(Some(Target::Operand(operand, None))),
+        Some(operand) => Ok(Some(Item::operand(operand))),
         None => Ok(None),
     }
 }
 
+/// `P#M 10.0 BYTE 20`, `P#DB1.DBX 0.0 BYTE 20`: bytes of an area or of a data block.
+fn bytes(text: &str) -> Result<Item, NameError> {
+    let wrong = || NameError::new(format!("`{text}` names no bytes; write `P#M 10.0 BYTE 20`, `P#DB1.DBX 0.0 BYTE 20`, or I or Q"));
+    let Ok(Value::Any([_, data_type, count @ .., area, first_1, first_2, first_3])) = literal::parse(text) else { return Err(wrong()) };
+    let [count_1, count_2, db_1, db_2] = count;
+    let length = u32::from(u16::from_be_bytes([count_1, count_2]));
+    let position = u32::from_be_bytes([0, first_1, first_2, first_3]);
+    let areas = [Area::Input, Area::Output, Area::BitMemory, Area::SharedData];
+    let area = areas.into_iter().find(|known| known.pointer_code() == area).ok_or_else(wrong)?;
+    if data_type != BYTES || !position.is_multiple_of(8) || length == 0 {
+        return Err(wrong());
+    }
+    Ok(match area {
+        Area::SharedData => Item::data(u16::from_be_bytes([db_1, db_2]), position / 8, length),
+        area => Item::area(area, position / 8, length),
+    })
+}
+
 /// A variable that the program calls by this name alone, or a field of a data block with a name.
-pub(super) fn named(text: &str, program: &Program) -> Result<Option<Target>, NameError> {
+pub(super) fn named(text: &str, program: &Program) -> Result<Option<Item>, NameError> {
     let names = &program.names;
     if names.open.is_empty() && names.blocks.is_empty() && names.located.is_empty() {
         return Ok(None);
     }
     if let Some((operand, data_type)) = names.located.get(&text.trim_matches('"').to_lowercase()) {
-        return Ok(Some(Target::Operand(*operand, Some(data_type.clone()))));
+        return Ok(Some(Item::typed(*operand, Some(data_type))));
     }
     let found = names.open.iter().find_map(|number| {
         let (offset, data_type) = field(&program.data.get(number)?.structure, text).ok()?;
@@ -111,13 +137,13 @@ pub(super) fn named(text: &str, program: &Program) -> Result<Option<Target>, Nam
         Some((number, offset, data_type))
     };
     match found.or_else(in_block) {
-        Some((number, offset, data_type)) => target_of_field(number, offset, data_type, text).map(Some),
+        Some((number, offset, data_type)) => item_of_field(number, offset, &data_type, text).map(Some),
         None => Ok(None),
     }
 }
 
 /// A symbol, or a field of a data block.
-pub(super) fn symbolic(text: &str, symbols: &SymbolTable, program: &Program) -> Result<Target, NameError> {
+pub(super) fn symbolic(text: &str, symbols: &SymbolTable, program: &Program) -> Result<Item, NameError> {
     if let Some(error) = bit_above_seven(text) {
         return Err(error);
     }
@@ -127,15 +153,17 @@ pub(super) fn symbolic(text: &str, symbols: &SymbolTable, program: &Program) -> 
     {
         return match symbol.operand() {
             Some(Operand::Block(block)) => Err(NameError::new(format!("`{text}` is {block}, which has no value; name a field in it"))),
-            Some(operand) => Ok(Target::Operand(operand, DataType::from_word(symbol.data_type.trim()).filter(DataType::is_elementary))),
+            Some(operand) => {
+                Ok(Item::typed(operand, DataType::from_word(symbol.data_type.trim()).filter(DataType::is_elementary).as_ref()))
+            }
             None => Err(NameError::new(format!("the symbol `{text}` has the address `{}`, which is none", symbol.address))),
         };
     }
     // The name of a status bit by itself, where nothing else has it.
     if path.is_empty()
-        && let Some(Target::Register(register)) = absolute(&format!("STW.{text}")).unwrap_or_default()
+        && let Some(bit) = absolute(&format!("STW.{text}")).unwrap_or_default()
     {
-        return Ok(Target::Register(register));
+        return Ok(bit);
     }
     let block = match (symbols.operand(first), Operand::parse(first)) {
         (Some(Operand::Block(block)), _) | (None, Some(Operand::Block(block))) => Some(block),
@@ -148,7 +176,7 @@ pub(super) fn symbolic(text: &str, symbols: &SymbolTable, program: &Program) -> 
     };
     // `"Data".DBW 2`: the symbol stands for the block.
     if let Some(operand @ Operand::InDataBlock { .. }) = Operand::parse(&format!("DB{number}.{path}")) {
-        return Ok(Target::Operand(operand, None));
+        return Ok(Item::operand(operand));
     }
     let Some(data) = program.data.get(&number) else {
         return Err(NameError::new(format!("the program has no `DB {number}`, which `{text}` wants")));
@@ -157,24 +185,14 @@ pub(super) fn symbolic(text: &str, symbols: &SymbolTable, program: &Program) -> 
         let names: Vec<&str> = data.structure.fields.iter().take(8).map(|field| field.name.as_str()).collect();
         NameError::new(format!("`DB {number}` has no `{part}`; its fields begin with {}", names.join(", ")))
     })?;
-    target_of_field(number, offset, data_type, text)
+    item_of_field(number, offset, &data_type, text)
 }
 
-pub(super) fn target_of_field(db: u16, offset: u32, data_type: DataType, text: &str) -> Result<Target, NameError> {
+fn item_of_field(db: u16, offset: u32, data_type: &DataType, text: &str) -> Result<Item, NameError> {
     if matches!(data_type, DataType::Array { .. } | DataType::Struct(_) | DataType::Instance { .. }) {
         return Err(NameError::new(format!("`{text}` is no single value; name one of its elements, such as `[1]` or `.name`")));
     }
-    // A short STRING has as many bits as a number, but is none.
-    let bits = if matches!(data_type, DataType::String(_)) { 0 } else { data_type.bits() };
-    let width = match bits {
-        1 => Width::Bit,
-        8 => Width::Byte,
-        16 => Width::Word,
-        32 => Width::DoubleWord,
-        _ => return Ok(Target::Field { db, byte: offset / 8, data_type }),
-    };
-    let address = Address { area: Area::SharedData, width, byte: offset / 8, bit: (offset % 8) as u8 };
-    Ok(Target::Operand(Operand::InDataBlock { db, address }, Some(data_type)))
+    Ok(Item::field(db, offset, data_type))
 }
 
 /// Splits `"a name".path` and `name.path`.
@@ -223,7 +241,7 @@ pub(super) fn local(text: &str, scope: Option<Scope>, symbols: &SymbolTable, pro
         let Some(scope) = scope else {
             return Err(NameError::new(format!("`{text}` is a variable of a block, and here is none; name the block: `FC 1.{text}`")));
         };
-        return Local::parse(scope.block, path, program).map(Some);
+        return local::parse(scope.block, path, program).map(Some);
     }
     if let Some((first, path)) = text.split_once(".#") {
         let name = first.trim().trim_matches('"');
@@ -231,15 +249,15 @@ pub(super) fn local(text: &str, scope: Option<Scope>, symbols: &SymbolTable, pro
             Some(Operand::Block(block)) => block,
             _ => return Err(NameError::new(format!("`{first}` is no block; write `FC 1.#{path}` or `\"name\".#{path}`"))),
         };
-        return Local::parse(block, path, program).map(Some);
+        return local::parse(block, path, program).map(Some);
     }
-    if let (Some(scope), Some(address)) = (scope, Local::address(text)) {
-        return Ok(Some(Local::at(scope.block, address)));
+    if let (Some(scope), Some(address)) = (scope, local::address(text)) {
+        return Ok(Some(local::at(scope.block, address)));
     }
     let head = &text[..text.find(['.', '[']).unwrap_or(text.len())];
     let declares = |scope: &Scope| program.code.get(&scope.block).is_some_and(|code| code.interface.variable(head).is_some());
     match scope.filter(|scope| scope.bare && declares(scope)) {
-        Some(scope) => Local::parse(scope.block, text, program).map(Some),
+        Some(scope) => local::parse(scope.block, text, program).map(Some),
         None => Ok(None),
     }
 }

@@ -70,7 +70,7 @@ pub(super) struct Held {
 impl Held {
     pub(super) fn new(text: &str, name: Name, rules: &Rules) -> Self {
         Self {
-            kind: name.kind(),
+            kind: name.recorded(),
             tolerance: rules.tolerance(text),
             text: text.to_owned(),
             name,
@@ -94,14 +94,14 @@ impl Held {
         self.expected = match (&self.kind, value) {
             (_, "?") => Sample::Absent,
             (Kind::Text, text) => Sample::text(text),
-            _ => Sample::Bits(self.name.expected(value)?),
+            _ => Sample::of(&self.name.expected(value)?),
         };
         self.line = line;
         Ok(())
     }
 
     pub(super) fn show(&self, sample: &Sample) -> String {
-        self.kind.display(sample).to_string()
+        sample.display(&self.kind).to_string()
     }
 
     /// Looks at the CPU behind a scan; a scan that is decided by that and is wrong.

@@ -6,7 +6,7 @@ use sieben_cpu::retain::Numbers;
 use sieben_cpu::{CyclicInterrupt, DateAndTime, Interrupt, OperatingMode, RetentiveAreas};
 use sieben_model::literal::{self, Value};
 
-use super::{Assignments, Command, SCANS_MAX};
+use super::{Assignment, Assignments, Command, SCANS_MAX};
 use crate::{duration as durations, names};
 
 /// Cuts a comment: a line that begins with `//`, or the rest behind ` //` outside of quotes.
@@ -39,7 +39,10 @@ pub(super) fn date_and_time(text: &str) -> Result<DateAndTime, String> {
 
 pub(super) fn assignments(text: &str) -> Result<Assignments, String> {
     let out = names::assignments(text).map_err(|error| error.to_string())?;
-    if out.is_empty() { Err("write at least one `NAME=VALUE`".to_owned()) } else { Ok(out) }
+    if out.is_empty() {
+        return Err("write at least one `NAME=VALUE`".to_owned());
+    }
+    Ok(out.into_iter().map(|(name, value)| Assignment::written(name, value)).collect())
 }
 
 pub(super) fn scan(rest: &str) -> Result<Command, String> {

@@ -115,7 +115,7 @@ pub(super) fn agree(kind: &Kind, tolerance: Option<Tolerance>, expected: &Sample
     {
         return true;
     }
-    match (tolerance, kind.scale(expected), kind.scale(actual)) {
+    match (tolerance, expected.scale(kind), actual.scale(kind)) {
         (Some(tolerance), Some(expected), Some(actual)) if *kind != Kind::Bit => tolerance.allows(expected, actual),
         _ => false,
     }

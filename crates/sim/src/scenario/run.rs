@@ -9,8 +9,8 @@ use sieben_model::symbols::SymbolTable;
 
 use super::held::{Difference, Held, Holding};
 use super::spelling::{self, is_input};
-use super::{Assignments, Command, Deed, Happened, Onlooker, Rules, SCANS_MAX, Scenario, ScenarioError};
-use crate::names::{Name, NameError, Sample};
+use super::{Assignment, Assignments, Command, Deed, Happened, Onlooker, Rules, SCANS_MAX, Scenario, ScenarioError};
+use crate::names::{Name, NameError, Sample, Setting};
 use crate::trace::Moment;
 use crate::wrap;
 
@@ -80,6 +80,13 @@ impl<'a, 'o> Run<'a, 'o> {
     }
 
     /// What a name of the scenario means in this program.
+    fn setting(&mut self, assignment: &Assignment) -> Result<Setting, NameError> {
+        match &assignment.meant {
+            Some(setting) => Ok(setting.clone()),
+            None => Setting::new(self.name(&assignment.name)?, &assignment.value),
+        }
+    }
+
     fn name(&mut self, text: &str) -> Result<Name, NameError> {
         if let Some(name) = self.names.get(text) {
             return Ok(name.clone());
@@ -96,7 +103,7 @@ impl<'a, 'o> Run<'a, 'o> {
     /// Tells of what is set, without inputs: those come from modules.
     fn tell_assignments(&mut self, word: &str, assignments: &Assignments) {
         let others: Assignments =
-            assignments.iter().filter(|(name, _)| !self.name(name).is_ok_and(|name| is_input(&name))).cloned().collect();
+            assignments.iter().filter(|one| !self.name(&one.name).is_ok_and(|name| is_input(&name))).cloned().collect();
         if !others.is_empty() {
             self.tell(&format!("{word}{}", spelling::assignments(&others)));
         }
@@ -223,7 +230,9 @@ impl<'a, 'o> Run<'a, 'o> {
 
     /// From the next scan on these are held against every scan.
     fn always(&mut self, assignments: &Assignments) {
-        for (text, value) in assignments.iter().filter(|(name, _)| !self.rules.is_ignored(name)).cloned().collect::<Vec<_>>() {
+        for Assignment { name: text, value, .. } in
+            assignments.iter().filter(|one| !self.rules.is_ignored(&one.name)).cloned().collect::<Vec<_>>()
+        {
             let line = self.line;
             let known = self.held.iter().position(|held| held.text() == text);
             let index = match (known, self.name(&text)) {
@@ -286,8 +295,8 @@ impl<'a, 'o> Run<'a, 'o> {
     }
 
     fn set_silently(&mut self, assignments: &Assignments) {
-        for (name, value) in assignments {
-            let done = self.name(name).and_then(|name| name.write(&mut self.cpu, value));
+        for assignment in assignments {
+            let done = self.setting(assignment).and_then(|setting| setting.apply(&mut self.cpu));
             if let Err(error) = done {
                 self.fail(error.to_string());
             }
@@ -296,8 +305,8 @@ impl<'a, 'o> Run<'a, 'o> {
 
     fn force(&mut self, assignments: &Assignments) {
         self.tell(&format!("force{}", spelling::assignments(assignments)));
-        for (name, value) in assignments {
-            let done = self.name(name).and_then(|name| name.force(&mut self.cpu, value));
+        for assignment in assignments {
+            let done = self.setting(assignment).and_then(|setting| setting.name.force(&mut self.cpu, &setting.value));
             if let Err(error) = done {
                 self.fail(error.to_string());
             }
@@ -326,8 +335,8 @@ impl<'a, 'o> Run<'a, 'o> {
         let due = self.changes.iter().take_while(|change| change.0 <= now).count();
         for (time, line, assignments) in self.changes.drain(..due).collect::<Vec<_>>() {
             self.line = line;
-            for (name, value) in &assignments {
-                let done = self.name(name).and_then(|name| name.write_at(&mut self.cpu, value, time));
+            for assignment in &assignments {
+                let done = self.setting(assignment).and_then(|setting| setting.name.set_at(&mut self.cpu, &setting.value, time));
                 if let Err(error) = done {
                     self.fail(error.to_string());
                 }
@@ -364,7 +373,7 @@ impl<'a, 'o> Run<'a, 'o> {
         }
         loop {
             let wrong: Vec<(String, Option<Difference>)> =
-                assignments.iter().filter_map(|(name, value)| self.is_not(name, value)).collect();
+                assignments.iter().filter_map(|one| self.is_not(&one.name, &one.value)).collect();
             if wrong.is_empty() {
                 self.check_stop();
                 return;
@@ -401,7 +410,7 @@ impl<'a, 'o> Run<'a, 'o> {
                     name: name.to_owned(),
                     line: self.line,
                     moment: Moment { scan: self.scans.saturating_sub(1), time_us },
-                    expected: parsed.expected(expected).map_or_else(|_| Sample::text(expected), Sample::Bits),
+                    expected: parsed.expected(expected).map_or_else(|_| Sample::text(expected), |value| Sample::of(&value)),
                     actual: parsed.sample(&self.cpu).unwrap_or_default(),
                     since: None,
                     missed: false,

@@ -4,6 +4,7 @@ use sieben_cpu::{DateAndTime, Interrupt, Restart};
 use sieben_model::address::{Area, Operand};
 use sieben_model::literal;
 use sieben_model::types::DataType;
+use sieben_model::value::Content;
 
 use super::Assignments;
 use crate::names::{Kind, Name, Sample};
@@ -44,7 +45,7 @@ pub(super) fn value(name: &Name, sample: &Sample) -> Option<String> {
 /// The bits of a value so that a line gives them back.
 pub(super) fn bits_of(name: &Name, bits: u64) -> String {
     let text = name.show_bits(bits).to_string();
-    let kept = name.value(&text).is_ok_and(|read| read == bits) && !text.contains(char::is_whitespace);
+    let kept = name.value(&text).is_ok_and(|read| read.content == Content::Bits(bits)) && !text.contains(char::is_whitespace);
     if kept {
         return text;
     }
@@ -57,7 +58,7 @@ pub(super) fn bits_of(name: &Name, bits: u64) -> String {
 
 /// ` NAME=VALUE` of each.
 pub(super) fn assignments(values: &Assignments) -> String {
-    values.iter().map(|(name, value)| format!(" {name}={value}")).collect()
+    values.iter().map(|one| format!(" {}={}", one.name, one.value)).collect()
 }
 
 /// The rest of a line `interrupt …`.

@@ -148,7 +148,7 @@ pub(super) fn collect(
         let column = columns.of(axis, position);
         for &index in scans.changed {
             let (lane, value) = (&mut lanes[index], &scans.values[index]);
-            let number = channels[index].kind.number(value);
+            let number = value.number(&channels[index].kind);
             lane.meet(number, value);
             if begun {
                 lane.changes += 1;

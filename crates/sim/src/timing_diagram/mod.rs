@@ -79,7 +79,7 @@ fn shown(channel: &Channel, value: &Sample) -> String {
         (Kind::Typed(DataType::LongReal), Sample::Bits(bits)) if plain(f64::from_bits(*bits).abs()) => {
             format!("{:?}", f64::from_bits(*bits))
         }
-        (kind, value) => kind.display(value).to_string(),
+        (kind, value) => value.display(kind).to_string(),
     }
 }
 

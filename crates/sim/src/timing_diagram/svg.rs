@@ -335,7 +335,7 @@ impl Level<'_> {
         match (value, &self.scale) {
             (Sample::Absent, _) => None,
             (Sample::Bits(bits), _) if self.channel.kind == Kind::Bit => Some(Place::At(if *bits != 0 { self.high } else { self.low })),
-            (_, Some(scale)) => self.channel.kind.number(value).map(|number| Place::At(self.at(scale, number))),
+            (_, Some(scale)) => value.number(&self.channel.kind).map(|number| Place::At(self.at(scale, number))),
             (_, None) => Some(Place::Band),
         }
     }

@@ -140,7 +140,7 @@ fn stairs(channel: &Channel, lane: &Lane, scale: Scale<'_>, page: &mut Page) {
     let row_of = |number: f64| STAIRS - 1 - (scale.place(number) * (STAIRS - 1) as f64).round() as usize;
     let mut before = None;
     for (column, cell) in lane.cells.iter().enumerate() {
-        let now = channel.kind.number(&cell.last).map(row_of);
+        let now = cell.last.number(&channel.kind).map(row_of);
         match (before.unwrap_or(now), now) {
             _ if cell.is_crowded() => {
                 let (low, high) = cell.extent.unwrap_or((scale.low, scale.high));

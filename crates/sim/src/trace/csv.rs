@@ -31,7 +31,7 @@ pub fn write(trace: &Trace, range: &RangeInclusive<u64>, rows: Rows, out: &mut d
             values.clear();
             for (channel, value) in trace.channels().iter().zip(scans.values) {
                 values.push(',');
-                if let Some(shown) = channel.kind.show(value) {
+                if let Some(shown) = value.shown(&channel.kind) {
                     values.push_str(&field(&shown.to_string()));
                 }
             }

@@ -42,7 +42,7 @@ pub struct Channel {
 impl Channel {
     /// The channel of a name.
     pub fn new(name: &Name) -> Self {
-        Self { name: name.text().to_owned(), kind: name.kind() }
+        Self { name: name.text().to_owned(), kind: name.recorded() }
     }
 }
 

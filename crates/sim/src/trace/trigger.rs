@@ -90,7 +90,7 @@ impl Trigger {
             }
             if let Some(&(_, edge)) = EDGES.iter().find(|(name, _)| word.eq_ignore_ascii_case(name)) {
                 let name = named(before)?;
-                if name.kind() != Kind::Bit {
+                if *name.kind() != Kind::Bit {
                     let why = format!("`{}` is no bit, so it has no edges; write a comparison such as `{} > 5`", name.text(), name.text());
                     return Err(TriggerError::Form(why));
                 }
@@ -102,12 +102,12 @@ impl Trigger {
         if limit.is_empty() {
             return Err(form());
         }
-        let kind = name.kind();
+        let kind = name.recorded();
         let limit = match kind {
             Kind::Text => Sample::text(limit),
-            _ => Sample::Bits(name.value(limit).map_err(TriggerError::Value)?),
+            _ => Sample::of(&name.value(limit).map_err(TriggerError::Value)?),
         };
-        if !matches!(comparison, Comparison::Equal | Comparison::Unequal) && kind.number(&limit).is_none() {
+        if !matches!(comparison, Comparison::Equal | Comparison::Unequal) && limit.number(&kind).is_none() {
             let why = format!("`{}` has no order, so it can only be compared with `=` and `<>`", name.text());
             return Err(TriggerError::Form(why));
         }
@@ -136,8 +136,8 @@ impl Trigger {
                 }
             }
             Self::Comparison(name, comparison, limit) => {
-                let kind = name.kind();
-                let numbers = ordered(&kind, value).zip(ordered(&kind, limit));
+                let kind = name.recorded();
+                let numbers = value.scale(&kind).zip(limit.scale(&kind));
                 match (comparison, numbers) {
                     _ if *value == Sample::Absent => false,
                     (Comparison::Equal, Some((value, limit))) => value == limit,
@@ -153,14 +153,6 @@ impl Trigger {
                 }
             }
         }
-    }
-}
-
-/// The value as a number that can be compared: words and double words with their sign, as `>I` and `>D` have them.
-fn ordered(kind: &Kind, value: &Sample) -> Option<f64> {
-    match (kind, value) {
-        (Kind::Bits(16 | 32), Sample::Bits(bits)) => Some(kind.signed(*bits) as f64),
-        _ => kind.number(value),
     }
 }
 

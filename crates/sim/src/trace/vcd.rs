@@ -42,6 +42,7 @@ impl Form {
                 | DataType::LongDateAndTime
                 | DataType::S5Time,
             )
+            | Kind::Bytes(_)
             | Kind::Text => Self::Text,
             Kind::Typed(data_type) => Self::Integer(data_type.bits() as u32),
         }
@@ -123,7 +124,7 @@ fn change(channel: &Channel, value: &Sample, index: usize, out: &mut dyn Write) 
             writeln!(out, "r{} {id}", number.to_string().to_lowercase())
         }
         (Form::Real, _) => writeln!(out, "rnan {id}"),
-        (Form::Text, value) => writeln!(out, "s{} {id}", escaped(&channel.kind.display(value).to_string())),
+        (Form::Text, value) => writeln!(out, "s{} {id}", escaped(&value.display(&channel.kind).to_string())),
     }
 }
 

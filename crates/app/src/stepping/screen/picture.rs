@@ -12,6 +12,7 @@ use sieben_model::mnemonics::Mnemonics;
 use sieben_model::source::FileId;
 use sieben_model::visible::visible;
 use sieben_sim::history::{Target, Until, Watch};
+use sieben_sim::names::Setting;
 
 use super::keys::Command;
 use crate::diagrams::{self, Blocks, Diagrams, Form, Watch as Watching};
@@ -290,7 +291,8 @@ impl Screen {
             self.switched_in = scan;
         }
         let wanted = !self.switched.get(&(byte, self.chosen.1)).copied().filter(|_| area == Area::Input).unwrap_or(image);
-        if let Err(error) = stepper.name_in(&address, None).and_then(|name| stepper.set(&name, if wanted { "1" } else { "0" })) {
+        let setting = stepper.name_in(&address, None).and_then(|name| Setting::new(name, if wanted { "1" } else { "0" }));
+        if let Err(error) = setting.and_then(|setting| stepper.set(setting)) {
             self.message = error.to_string();
         } else if area == Area::Input {
             self.switched.insert((byte, self.chosen.1), wanted);
