@@ -39,6 +39,8 @@ const CLOCK_STANDS_STILL: u32 = 1_000_000;
 pub(crate) struct Requests {
     pub(crate) stop: AtomicBool,
     pub(crate) hold: AtomicBool,
+    /// Somebody wants to come in: the slice of OB 90 ends.
+    pub(crate) visit: AtomicBool,
 }
 
 /// The CPU clock inside a scan.

@@ -716,6 +716,15 @@ impl RackSnapshot {
 }
 
 impl Rack {
+    /// A rack with copies of the modules of another one; `None` if one of them cannot be copied.
+    pub(crate) fn of_snapshot(cpu: &CpuType, snapshot: &RackSnapshot) -> Option<Self> {
+        let mut rack = Self::empty(cpu);
+        for module in snapshot.modules.as_ref()? {
+            rack.claim(module.copy()?);
+        }
+        Some(rack.finish())
+    }
+
     pub(crate) fn snapshot(&self) -> RackSnapshot {
         let modules = self.modules.iter().map(|module| module.copy()).collect();
         RackSnapshot {

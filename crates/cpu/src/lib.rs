@@ -34,7 +34,9 @@ pub mod system;
 pub mod system_status_list;
 
 pub use clock::DateAndTime;
-pub use cpu::{ChangeRefused, Cpu, DataLoss, Loaded, ScanReport, Snapshot, StopRequest, TestStep};
+pub use cpu::{
+    ChangeRefused, Cpu, DataLoss, EndState, Loaded, NotReplayed, RecordedScan, Replayer, ScanReport, Snapshot, StopRequest, TestStep,
+};
 pub use cycle::CycleTimes;
 pub use diagnostic_buffer::{DiagnosticBuffer, DiagnosticEntry};
 pub use failed_statements::{FailedStatement, FailedStatements};

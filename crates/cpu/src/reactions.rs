@@ -128,7 +128,7 @@ impl Host for CpuHost<'_> {
         let slice_over = in_background
             && match self.slice {
                 Some(Slice::Points(points)) => self.watchdog.total >= points,
-                Some(Slice::Until(until_us)) => self.time.now_us >= until_us,
+                Some(Slice::Until(until_us)) => self.time.now_us >= until_us || self.requests.visit.load(Ordering::Relaxed),
                 None => false,
             };
         self.grant(machine);

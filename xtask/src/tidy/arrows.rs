@@ -13,10 +13,11 @@ const ARROWS: &[(&str, &[&str])] = &[
     ("lang", &["engine"]),
     ("cpu", &["engine"]),
     ("sim", &["cpu"]),
-    ("comm", &["cpu"]),
     ("ide", &["lang"]),
-    ("workbench", &["ide", "sim", "cpu"]),
-    ("app", &["workbench", "comm", "ide", "sim", "cpu", "lang", "jit"]),
+    ("workspace", &["ide", "sim", "cpu", "lang"]),
+    ("comm", &["workspace"]),
+    ("workbench", &["workspace"]),
+    ("app", &["workbench", "comm", "workspace", "ide", "sim", "cpu", "lang", "jit"]),
 ];
 
 /// Rooms that may use files, network, time and processes; only they have an empty `clippy.toml`.

@@ -5,8 +5,9 @@ use std::time::{Duration, Instant};
 
 use clap::{Args, ValueEnum};
 use sieben_lang::symbols::assignment;
+use sieben_workspace::Speed;
 
-use super::run::{Speed, speed_argument};
+use super::run::speed_argument;
 use crate::duration::duration_argument;
 use crate::failure::{Exit, Failure};
 use crate::screen::{self, CYCLE_US, Session, clock, thousands};

@@ -15,8 +15,9 @@ use sieben_model::problems::Problem;
 use sieben_sim::scenario::recorder::{Recorder, Subject};
 use sieben_sim::scenario::{Happened, Onlooker, Rules, Scenario, ScenarioError};
 use sieben_sim::trace::CHANNELS_MAX;
+use sieben_workspace::Speed;
 
-use super::run::{Speed, now, speed_argument};
+use super::run::{now, speed_argument};
 use crate::arguments::{FaultArguments, ProgramArguments};
 use crate::engines::EngineArgument;
 use crate::failed::Heard;

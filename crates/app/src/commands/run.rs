@@ -4,15 +4,17 @@ use std::io::IsTerminal;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::time::{Duration, Instant, SystemTime};
 
 use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde_json::json;
-use sieben_cpu::{Cpu, DateAndTime, OperatingMode, Restart, Settings, TimeSource};
+use sieben_cpu::{Cpu, DateAndTime, OperatingMode, Settings, StopRequest, TimeSource};
 use sieben_jit::StatusBits;
 use sieben_model::problems::Problem;
+use sieben_workspace::gate::Clock;
+use sieben_workspace::status::Desk;
+use sieben_workspace::{Driver, Gate, Pace, Plant, Speed, Surroundings};
 
 use crate::arguments::{DiagnosticsArgument, FaultArguments, ProgramArguments, StrictArgument};
 use crate::duration::{cycle_argument, duration_argument};
@@ -26,8 +28,6 @@ use crate::{controller, duration, output, watch};
 
 /// How often the status line is drawn.
 const STATUS_PERIOD: Duration = Duration::from_millis(100);
-/// Scans between two looks at the clock when time is virtual.
-const SCANS_PER_LOOK: u64 = 64;
 /// The epochs of UNIX and of the CPU clock: 20 years with five leap days.
 const FROM_1970_TO_1990: Duration = Duration::from_secs((20 * 365 + 5) * 86_400);
 /// Exit code after a second Ctrl-C: what shells report for SIGINT.
@@ -84,15 +84,6 @@ pub(crate) struct Arguments {
     json: bool,
 }
 
-/// How CPU time relates to real time.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Speed {
-    /// So many times as fast as real time.
-    Factor(f64),
-    /// As fast as the computer goes, in virtual time.
-    Max,
-}
-
 /// Reads a speed argument.
 pub(crate) fn speed_argument(text: &str) -> Result<Speed, String> {
     if text.eq_ignore_ascii_case("max") {
@@ -136,15 +127,18 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         arguments.retain.adopt_only(&mut cpu, arguments.json)?;
     }
     let retention = choice.map(|choice| Retention::open(&choice, &mut cpu)).transpose()?;
-    let interrupt = Interrupt::watch(&cpu)?;
+    let cycle_us = duration::micros(cycle);
+    let clock = real_clock();
+    let pace = Pace::new(arguments.speed, cycle_us, arguments.duration.map_or(u64::MAX, duration::micros), clock());
+    let request = cpu.stop_request();
+    let gate = Arc::new(Gate::new(Plant::new(cpu, pace), clock));
+    let presses = watch_for_interrupt(request, &gate)?;
     if !arguments.json {
         let name = project.name.as_deref().map_or_else(String::new, |name| format!(" `{name}`"));
         let end = arguments.duration.map_or_else(|| "Ctrl-C stops".to_owned(), |end| format!("for {}", duration::show(end)));
         let pace = if cycle.is_zero() { "free running".to_owned() } else { format!("cycle {}", duration::show(cycle)) };
         output::message(&format!("Running{name} on a CPU {}, {pace}; {end}.\n", build.cpu.name));
     }
-    let status = Status::new();
-    let end_us = arguments.duration.map_or(u64::MAX, duration::micros);
     let watch = match arguments.watch {
         true => Some(Watch::start(
             stamps,
@@ -156,30 +150,28 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         )?),
         false => None,
     };
-    let (restart, quiet) = (arguments.retain.restart, arguments.json);
-    let mut pace = Pace {
-        speed: arguments.speed,
-        restart,
-        cycle_us: duration::micros(cycle),
-        end_us,
-        retention,
-        watch,
-        build: &mut build,
-        quiet,
-        failed: None,
-    };
-    let outcome = match arguments.speed {
-        Speed::Max => pace.run_virtual(&mut cpu, &interrupt, &status),
-        Speed::Factor(factor) => pace.run_timed(factor, &mut cpu, &interrupt, &status),
-    };
+    let desk = Desk::default();
+    let mut around =
+        Around { retention, watch, build: &mut build, quiet: arguments.json, failed: None, status: Status::new(), presses: &presses };
+    Driver::new(&gate, &desk, &mut around).run(arguments.retain.restart);
+    let Around { mut retention, watch, failed, status, .. } = around;
     status.clear();
-    let Pace { mut retention, watch, failed, .. } = pace;
-    if let Some(retention) = &mut retention {
-        retention.close(&mut cpu);
-    }
-    let count = cpu.failed_statements().count;
-    let failed = failed.map(|first| first.in_all(count)).or_else(|| Failed::of(&build, &cpu));
-    report(arguments, &build, &cpu, &outcome, failed.as_ref(), retention.as_ref(), watch.as_ref())
+    gate.finish(|plant| {
+        if let Some(retention) = &mut retention {
+            retention.close(&mut plant.cpu);
+        }
+        let count = plant.cpu.failed_statements().count;
+        let failed = failed.map(|first| first.in_all(count)).or_else(|| Failed::of(&build, &plant.cpu));
+        let time_us = plant.pace.time_us(gate.now_us()).min(plant.pace.end_us);
+        let outcome = Outcome { scans: plant.scans, time_us, interrupted: presses.load(Ordering::Relaxed) > 0 };
+        report(arguments, &build, &plant.cpu, &outcome, failed.as_ref(), retention.as_ref(), watch.as_ref())
+    })
+}
+
+/// The clock of this computer from now on, in microseconds.
+fn real_clock() -> Clock {
+    let begin = Instant::now();
+    Box::new(move || begin.elapsed().as_micros() as u64)
 }
 
 /// The time of day of this computer, UTC.
@@ -188,39 +180,19 @@ pub(crate) fn now() -> DateAndTime {
     DateAndTime::from_ms_since_1990(since_1970.saturating_sub(FROM_1970_TO_1990).as_millis() as u64)
 }
 
-/// Whether someone pressed Ctrl-C.
-struct Interrupt {
-    receiver: Receiver<()>,
-    presses: Arc<AtomicUsize>,
-}
-
-impl Interrupt {
-    /// From now on Ctrl-C asks the CPU for STOP at its next safe point; a second one ends the process.
-    fn watch(cpu: &Cpu) -> Result<Self, Failure> {
-        let (sender, receiver) = channel();
-        let request = cpu.stop_request();
-        let presses = Arc::new(AtomicUsize::new(0));
-        let seen = Arc::clone(&presses);
-        ctrlc::set_handler(move || {
-            if seen.fetch_add(1, Ordering::SeqCst) > 0 {
-                std::process::exit(INTERRUPTED);
-            }
-            request.stop();
-            // The receiver lives as long as the run.
-            let _ = sender.send(());
-        })
-        .map_err(|error| Failure::usage(Problem::P7001, format!("Ctrl-C cannot be watched: {error}")))?;
-        Ok(Self { receiver, presses })
-    }
-    fn pressed(&self) -> bool {
-        self.presses.load(Ordering::Relaxed) > 0
-    }
-    /// Sleeps, but not through a Ctrl-C.
-    fn sleep(&self, duration: Duration) {
-        if let Err(RecvTimeoutError::Disconnected) = self.receiver.recv_timeout(duration) {
-            std::thread::sleep(duration);
+/// From now on Ctrl-C asks the CPU for STOP at its next safe point and ends the run; a second one ends the process.
+fn watch_for_interrupt(request: StopRequest, gate: &Arc<Gate>) -> Result<Arc<AtomicUsize>, Failure> {
+    let presses = Arc::new(AtomicUsize::new(0));
+    let (seen, gate) = (Arc::clone(&presses), Arc::clone(gate));
+    ctrlc::set_handler(move || {
+        if seen.fetch_add(1, Ordering::SeqCst) > 0 {
+            std::process::exit(INTERRUPTED);
         }
-    }
+        request.stop();
+        gate.wake();
+    })
+    .map_err(|error| Failure::usage(Problem::P7001, format!("Ctrl-C cannot be watched: {error}")))?;
+    Ok(presses)
 }
 
 /// How a run ended.
@@ -230,12 +202,8 @@ struct Outcome {
     interrupted: bool,
 }
 
-/// When scans begin.
-struct Pace<'a> {
-    speed: Speed,
-    restart: Restart,
-    cycle_us: u64,
-    end_us: u64,
+/// What stands around the run: retentive data, changed sources, the status line, Ctrl-C.
+struct Around<'a> {
     retention: Option<Retention>,
     watch: Option<Watch>,
     /// The program that runs.
@@ -244,25 +212,11 @@ struct Pace<'a> {
     quiet: bool,
     /// The first statement that failed, with its place in the program that ran then.
     failed: Option<Failed>,
+    status: Status,
+    presses: &'a AtomicUsize,
 }
 
-impl Pace<'_> {
-    /// Lets changed sources take over before the next scan.
-    fn change(&mut self, cpu: &mut Cpu, status: &Status) {
-        if let Some(watch) = &mut self.watch {
-            // Its place is one of the program that still runs.
-            if self.failed.is_none() {
-                self.failed = Failed::of(self.build, cpu);
-            }
-            let quiet = self.quiet;
-            watch.poll(cpu, self.build, &|text| {
-                if !quiet {
-                    status.say(text)
-                }
-            });
-        }
-    }
-
+impl Surroundings for Around<'_> {
     /// Keeps retentive data before the next scan releases the outputs of this one.
     fn keep(&mut self, cpu: &mut Cpu) {
         if let Some(retention) = &mut self.retention {
@@ -270,70 +224,25 @@ impl Pace<'_> {
         }
     }
 
-    /// Scans one after another; the clock jumps from scan to scan.
-    fn run_virtual(&mut self, cpu: &mut Cpu, interrupt: &Interrupt, status: &Status) -> Outcome {
-        let (mut now_us, mut scans) = (0, 0);
-        cpu.restart(self.restart);
-        self.keep(cpu);
-        while cpu.mode() != OperatingMode::Stop && now_us < self.end_us && !interrupt.pressed() {
-            cpu.scan(now_us);
-            self.keep(cpu);
-            scans += 1;
-            if scans % SCANS_PER_LOOK == 0 {
-                status.update(cpu, scans);
-                self.change(cpu, status);
+    /// Lets changed sources take over before the next scan.
+    fn at_point(&mut self, plant: &mut Plant) {
+        self.status.update(&plant.cpu, plant.scans);
+        if let Some(watch) = &mut self.watch {
+            // Its place is one of the program that still runs.
+            if self.failed.is_none() {
+                self.failed = Failed::of(self.build, &plant.cpu);
             }
-            now_us = now_us.saturating_add(self.cycle_us);
+            let (quiet, status) = (self.quiet, &self.status);
+            watch.poll(&mut plant.cpu, self.build, &|text| {
+                if !quiet {
+                    status.say(text)
+                }
+            });
         }
-        Outcome { scans, time_us: now_us.min(self.end_us), interrupted: interrupt.pressed() }
     }
 
-    /// Scans when the clock says so. A late scan begins at once, and the next one a whole cycle after it: nothing is made up for.
-    fn run_timed(&mut self, factor: f64, cpu: &mut Cpu, interrupt: &Interrupt, status: &Status) -> Outcome {
-        let real = self.speed == Speed::Factor(1.0);
-        let begin = Instant::now();
-        let mut clock = move || (begin.elapsed().as_micros() as f64 * factor) as u64;
-        cpu.restart_with(self.restart, &mut clock, None);
-        self.keep(cpu);
-        let (mut due_us, mut scans) = (clock(), 0);
-        loop {
-            let now_us = clock();
-            if cpu.mode() == OperatingMode::Stop || now_us >= self.end_us || interrupt.pressed() {
-                return Outcome { scans, time_us: now_us.min(self.end_us), interrupted: interrupt.pressed() };
-            }
-            self.change(cpu, status);
-            let until = due_us.min(self.end_us);
-            if now_us < until {
-                if real && cpu.has_background() {
-                    cpu.background_with(until, &mut clock);
-                    self.keep(cpu);
-                    continue;
-                }
-                // An interrupt that comes while the CPU waits runs at its own time.
-                let wake_us = cpu.next_interrupt_us().map_or(until, |next| next.clamp(now_us, until));
-                interrupt.sleep(Duration::from_micros(((wake_us - now_us) as f64 / factor).ceil() as u64));
-                let woken_us = clock().min(until);
-                let mut virtual_time = || woken_us;
-                cpu.serve_with(if real { &mut clock } else { &mut virtual_time }, None);
-                self.keep(cpu);
-                continue;
-            }
-            if cpu.next_interrupt_us().is_some_and(|next| next <= now_us) {
-                // What it writes to the process image goes out with the outputs of the last scan.
-                let mut time = || now_us;
-                cpu.serve_with(if real { &mut clock } else { &mut time }, None);
-                self.keep(cpu);
-            }
-            if real {
-                cpu.scan_with(&mut clock, None);
-            } else {
-                cpu.scan(now_us);
-            }
-            self.keep(cpu);
-            scans += 1;
-            status.update(cpu, scans);
-            due_us = due_us.saturating_add(self.cycle_us).max(now_us);
-        }
+    fn is_ended(&self) -> bool {
+        self.presses.load(Ordering::Relaxed) > 0
     }
 }
 

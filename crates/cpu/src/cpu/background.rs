@@ -1,6 +1,7 @@
 //! OB 90 (S7-400): what the CPU does while it waits for the next cycle.
 
 use std::ops::ControlFlow;
+use std::sync::atomic::Ordering;
 
 use sieben_engine::Tracer;
 
@@ -66,7 +67,8 @@ impl Cpu {
         }
     }
 
-    /// Runs OB 90 and interrupts until the clock shows `until_us`, instead of waiting; in real time.
+    /// Runs OB 90 and interrupts until the clock shows `until_us`, instead of waiting; in real time. Ends sooner if somebody wants to come in
+    /// ([`super::StopRequest::let_in`]).
     pub fn background_with(&mut self, until_us: u64, clock: &mut dyn FnMut() -> u64) {
         loop {
             self.serve_with(clock, None);
@@ -76,6 +78,9 @@ impl Cpu {
             let next = self.next_interrupt_us().map_or(until_us, |next| next.min(until_us));
             // Without a tracer nothing pauses.
             let _ = self.background(next, clock, &mut None);
+            if self.requests.visit.swap(false, Ordering::Relaxed) {
+                return;
+            }
         }
     }
 }

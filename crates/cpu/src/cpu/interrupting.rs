@@ -49,6 +49,11 @@ impl Cpu {
         self.settings.image_errors = how;
     }
 
+    /// Sets where time comes from, from the next scan on.
+    pub fn set_time_source(&mut self, source: TimeSource) {
+        self.settings.time = source;
+    }
+
     /// Sets the least cycle time.
     pub fn set_min_cycle(&mut self, time: Duration) {
         self.settings.min_cycle = time;

@@ -87,6 +87,17 @@ impl MachineImage {
         }
     }
 
+    /// Whether a machine is this one.
+    fn is_of(&self, machine: &Machine) -> bool {
+        self.clock_us == machine.clock_us
+            && self.registers == machine.registers
+            && *self.timers == machine.timers
+            && *self.counters == machine.counters
+            && *self.data_blocks == machine.memory.data_blocks
+            && self.pages.len() == machine.memory.arena.chunks(PAGE).len()
+            && self.pages.iter().zip(machine.memory.arena.chunks(PAGE)).all(|(page, bytes)| **page == *bytes)
+    }
+
     /// Bytes that it does not share with `before`.
     fn own_bytes(&self, before: Option<&Self>) -> usize {
         let shared =
@@ -171,6 +182,43 @@ impl Snapshot {
     }
 }
 
+impl Snapshot {
+    pub(super) fn layout(&self) -> Arc<Layout> {
+        Arc::clone(&self.machine.layout)
+    }
+
+    pub(super) fn settings(&self) -> &Settings {
+        &self.state.settings
+    }
+
+    pub(super) fn rack(&self) -> &RackSnapshot {
+        &self.rack
+    }
+
+    /// Whether a CPU has the layout that the snapshot was made with.
+    pub(super) fn fits(&self, cpu: &Cpu) -> bool {
+        Arc::ptr_eq(&self.machine.layout, &cpu.machine.memory.layout) || *self.machine.layout == *cpu.machine.memory.layout
+    }
+}
+
+/// What a program can see of a CPU at one moment: its machine and its mode.
+#[derive(Debug)]
+pub struct EndState {
+    machine: MachineImage,
+    mode: OperatingMode,
+}
+
+impl EndState {
+    pub(super) fn of(cpu: &Cpu, like: &Snapshot) -> Self {
+        Self { machine: MachineImage::of(&cpu.machine, Some(&like.machine)), mode: cpu.mode }
+    }
+
+    /// Whether a CPU is in this state.
+    pub(super) fn is_of(&self, cpu: &Cpu) -> bool {
+        self.mode == cpu.mode && self.machine.is_of(&cpu.machine)
+    }
+}
+
 impl Cpu {
     /// What the CPU is at this moment. What did not change since the snapshot `like` is shared with it.
     ///
@@ -178,7 +226,15 @@ impl Cpu {
     /// ([`crate::IoModule::copy`]) go back too. If there is another one among them all stay as they are, and after [`Self::record_modules`]
     /// the CPU hears again what they said.
     pub fn snapshot(&self, like: Option<&Snapshot>) -> Snapshot {
-        let before = like.map(|like| &like.machine);
+        self.snapshot_like(like.map(|like| &like.machine))
+    }
+
+    /// As [`Self::snapshot`], with what did not change since an end state.
+    pub(super) fn snapshot_after(&self, like: Option<&EndState>) -> Snapshot {
+        self.snapshot_like(like.map(|like| &like.machine))
+    }
+
+    fn snapshot_like(&self, before: Option<&MachineImage>) -> Snapshot {
         let machine = MachineImage::of(&self.machine, before);
         let rack = self.rack.snapshot();
         let bytes = machine.own_bytes(before) + rack.bytes() + size_of::<Snapshot>();

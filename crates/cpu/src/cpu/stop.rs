@@ -21,6 +21,10 @@ impl StopRequest {
     pub fn stop(&self) {
         self.0.stop.store(true, Ordering::Relaxed);
     }
+    /// Asks for an end of the time that OB 90 has now: somebody wants to come in.
+    pub fn let_in(&self) {
+        self.0.visit.store(true, Ordering::Relaxed);
+    }
     /// Asks for HOLD.
     pub fn hold(&self) {
         self.0.hold.store(true, Ordering::Relaxed);

@@ -1,0 +1,128 @@
+//! One scan once more, elsewhere: what it began with and what came in during it is copied, the scan itself is not held up.
+
+use std::sync::Arc;
+
+use sieben_engine::{Interpreter, Program, Tracer};
+use sieben_model::cpu_type::CpuType;
+
+use super::snapshot::EndState;
+use super::{Cpu, Loaded, ScanReport, Snapshot};
+use crate::io::Rack;
+use crate::retain::Declarations;
+
+/// Most readings of the clock that are kept of one scan.
+const READINGS_MAX: usize = 65_536;
+
+/// A scan with all that it began with and all that came in while it ran.
+#[derive(Debug)]
+pub struct RecordedScan {
+    cpu_type: &'static CpuType,
+    program: Arc<Program>,
+    before: Snapshot,
+    /// What the clock showed, in the order in which it was asked.
+    clock: Vec<u64>,
+    after: Arc<EndState>,
+    report: ScanReport,
+}
+
+/// A CPU that replays scans of others, in the interpreter.
+#[derive(Default)]
+pub struct Replayer {
+    /// The CPU, for the program and the layout that it was made for.
+    cpu: Option<Cpu>,
+}
+
+/// Why a scan cannot be replayed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NotReplayed {
+    /// One of its modules cannot be copied.
+    Modules,
+    /// It asked the clock more often than is kept.
+    TooLong,
+}
+
+impl std::fmt::Display for NotReplayed {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::Modules => "a module of this CPU cannot be copied, so its scans cannot be replayed",
+            Self::TooLong => "the scan is too long to be replayed",
+        })
+    }
+}
+
+impl std::error::Error for NotReplayed {}
+
+impl RecordedScan {
+    /// What the scan did.
+    pub fn report(&self) -> ScanReport {
+        self.report
+    }
+
+    /// What the CPU was after the scan: the next recording shares with it what has not changed.
+    pub fn after(&self) -> &Arc<EndState> {
+        &self.after
+    }
+
+    fn is_for(&self, cpu: &Cpu) -> bool {
+        Arc::ptr_eq(&cpu.program, &self.program) && self.before.fits(cpu)
+    }
+
+    fn cpu(&self) -> Option<Cpu> {
+        let layout = self.before.layout();
+        let engine = Interpreter::load(&self.program, &layout);
+        let loaded = Loaded {
+            cpu_type: self.cpu_type,
+            program: Arc::clone(&self.program),
+            declarations: Arc::new(Declarations::of(&self.program)),
+            image_writes: Arc::new(engine.image_writes(&self.program)),
+            layout,
+            engine,
+        };
+        Some(Cpu::new(loaded, Rack::of_snapshot(self.cpu_type, self.before.rack())?, self.before.settings().clone()))
+    }
+
+    /// Runs the scan again and tells the tracer of its statements; whether it ended as the real one did.
+    ///
+    /// # Errors
+    /// It cannot be run again.
+    pub fn replay(&self, replayer: &mut Replayer, tracer: &mut dyn Tracer) -> Result<bool, NotReplayed> {
+        if self.clock.len() >= READINGS_MAX {
+            return Err(NotReplayed::TooLong);
+        }
+        if replayer.cpu.as_ref().is_none_or(|cpu| !self.is_for(cpu)) {
+            replayer.cpu = Some(self.cpu().ok_or(NotReplayed::Modules)?);
+        }
+        let Some(cpu) = &mut replayer.cpu else { return Err(NotReplayed::Modules) };
+        if !self.before.has_modules() {
+            return Err(NotReplayed::Modules);
+        }
+        cpu.go_back_to(&self.before);
+        let mut next = 0;
+        let mut clock = || {
+            let reading = self.clock.get(next).or(self.clock.last()).copied().unwrap_or_default();
+            next += 1;
+            reading
+        };
+        cpu.scan_with(&mut clock, Some(tracer));
+        Ok(next == self.clock.len() && self.after.is_of(cpu))
+    }
+}
+
+impl Cpu {
+    /// As [`Self::scan_with`], with a recording for a [`Replayer`]. What did not change since the end of the recording `like` is shared with it.
+    pub fn scan_recorded(&mut self, clock: &mut dyn FnMut() -> u64, like: Option<&EndState>) -> (ScanReport, RecordedScan) {
+        let before = self.snapshot_after(like);
+        let mut readings = Vec::new();
+        let mut reading = || {
+            let now = clock();
+            if readings.len() < READINGS_MAX {
+                readings.push(now);
+            }
+            now
+        };
+        let report = self.scan_with(&mut reading, None);
+        let after = Arc::new(EndState::of(self, &before));
+        let record = RecordedScan { cpu_type: self.cpu_type, program: Arc::clone(&self.program), before, clock: readings, after, report };
+        (report, record)
+    }
+}

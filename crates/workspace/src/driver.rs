@@ -1,0 +1,198 @@
+//! The run loop: when scans begin, in real and in virtual time, and when the run ends.
+
+use sieben_cpu::{Cpu, OperatingMode, Restart, TimeSource};
+
+use crate::gate::{Gate, PORTION_US, Plant};
+use crate::pace::Speed;
+use crate::status::Desk;
+
+/// Scans in virtual time that are run without opening the gate.
+const SCANS_AT_ONCE: u64 = 64;
+/// What communication gets of the time of a CPU that scans without a pause, in percent.
+const COMMUNICATION_LOAD: u64 = 20;
+/// Longest pause without a look around, in microseconds.
+const PAUSE_US_MAX: u64 = 1_000_000;
+
+/// What stands around a run.
+pub trait Surroundings {
+    /// Retentive data is kept: after each scan, before the next one releases its outputs.
+    fn keep(&mut self, cpu: &mut Cpu) {
+        let _ = cpu;
+    }
+    /// The cycle control point, before a scan or a pause: changed sources take over, something is shown.
+    fn at_point(&mut self, plant: &mut Plant) {
+        let _ = plant;
+    }
+    /// Whether somebody has ended the run.
+    fn is_ended(&self) -> bool;
+}
+
+/// How a run ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum End {
+    /// The CPU is in STOP.
+    Stopped,
+    /// Its time is over.
+    Over,
+    /// Somebody has ended it.
+    Ended,
+}
+
+/// What the loop does next.
+enum Next {
+    /// It ends.
+    End(End),
+    /// It waits so many microseconds of the computer's time.
+    Rest(u64),
+    /// It looks again at once, or when everyone who wants in has been in, after a scan that took so long.
+    Again(u64),
+}
+
+/// The thread that scans.
+pub struct Driver<'g> {
+    gate: &'g Gate,
+    desk: &'g Desk,
+    surroundings: &'g mut dyn Surroundings,
+    /// When the next scan begins, in the time of the CPU.
+    due_us: u64,
+}
+
+impl<'g> Driver<'g> {
+    /// A driver for the plant of a gate. `desk` is where the status of scans is asked for.
+    pub fn new(gate: &'g Gate, desk: &'g Desk, surroundings: &'g mut dyn Surroundings) -> Self {
+        Self { gate, desk, surroundings, due_us: 0 }
+    }
+
+    /// Starts the CPU and runs it to the end. The gate stays open.
+    pub fn run(&mut self, restart: Restart) -> End {
+        let gate = self.gate;
+        gate.scan(|plant| {
+            self.start(plant, restart);
+            self.due_us = plant.pace.time_us(gate.now_us());
+        });
+        loop {
+            match gate.scan(|plant| self.turn(plant)) {
+                Next::End(end) => return end,
+                Next::Rest(us) => drop(gate.rest(us.min(PAUSE_US_MAX))),
+                Next::Again(scan_us) if gate.is_wanted() => drop(gate.rest((scan_us * COMMUNICATION_LOAD / 100).max(PORTION_US))),
+                Next::Again(_) => {}
+            }
+        }
+    }
+
+    fn start(&mut self, plant: &mut Plant, restart: Restart) {
+        let (gate, pace) = (self.gate, plant.pace.clone());
+        plant.cpu.restart_with(restart, &mut || pace.time_us(gate.now_us()), None);
+        self.surroundings.keep(&mut plant.cpu);
+    }
+
+    fn turn(&mut self, plant: &mut Plant) -> Next {
+        if let Some(restart) = plant.start.take() {
+            plant.waits_in_stop = false;
+            self.start(plant, restart);
+        }
+        let own_time = plant.pace.is_paused() || !plant.pace.speed().is_real();
+        plant.cpu.set_time_source(if own_time { TimeSource::Virtual } else { TimeSource::Real });
+        match plant.pace.speed() {
+            _ if plant.pace.is_paused() => self.paused(plant),
+            Speed::Max => self.virtual_time(plant),
+            Speed::Factor(_) => self.timed(plant),
+        }
+    }
+
+    /// Whether the run ends before a scan at this time.
+    fn end(&self, plant: &Plant, now_us: u64) -> Option<End> {
+        if plant.cpu.mode() == OperatingMode::Stop && !plant.waits_in_stop {
+            return Some(End::Stopped);
+        }
+        if now_us >= plant.pace.end_us {
+            return Some(End::Over);
+        }
+        self.surroundings.is_ended().then_some(End::Ended)
+    }
+
+    /// Time stands still: only scans that somebody asks for.
+    fn paused(&mut self, plant: &mut Plant) -> Next {
+        let now_us = plant.pace.time_us(self.gate.now_us());
+        if let Some(end) = self.end(plant, now_us) {
+            return Next::End(end);
+        }
+        self.surroundings.at_point(plant);
+        if !plant.pace.take_step() {
+            return Next::Rest(PAUSE_US_MAX);
+        }
+        let at_us = now_us.max(self.due_us);
+        plant.pace.pass(at_us - now_us);
+        let began = self.gate.now_us();
+        self.scan(plant, &mut || at_us);
+        self.due_us = at_us.saturating_add(plant.pace.cycle_us);
+        Next::Again(self.gate.now_us().saturating_sub(began))
+    }
+
+    /// Scans one after another; the clock jumps from scan to scan.
+    fn virtual_time(&mut self, plant: &mut Plant) -> Next {
+        let began = self.gate.now_us();
+        for _ in 0..SCANS_AT_ONCE {
+            let now_us = plant.pace.time_us(0);
+            if let Some(end) = self.end(plant, now_us) {
+                return Next::End(end);
+            }
+            self.scan(plant, &mut || now_us);
+            // A cycle of 0 would never pass any time.
+            plant.pace.pass(plant.pace.cycle_us.max(1));
+        }
+        self.due_us = plant.pace.time_us(0);
+        self.surroundings.at_point(plant);
+        Next::Again(self.gate.now_us().saturating_sub(began))
+    }
+
+    /// Scans when the clock says so. A late scan begins at once, and the next one a whole cycle after it: nothing is made up for.
+    fn timed(&mut self, plant: &mut Plant) -> Next {
+        let (gate, pace) = (self.gate, plant.pace.clone());
+        let mut clock = || pace.time_us(gate.now_us());
+        let real = pace.speed().is_real();
+        let now_us = clock();
+        if let Some(end) = self.end(plant, now_us) {
+            return Next::End(end);
+        }
+        self.surroundings.at_point(plant);
+        let until = self.due_us.min(pace.end_us);
+        if now_us < until {
+            if real && plant.cpu.has_background() {
+                gate.in_background(|| plant.cpu.background_with(until, &mut clock));
+                self.surroundings.keep(&mut plant.cpu);
+                return Next::Again(0);
+            }
+            // An interrupt that comes while the CPU waits runs at its own time.
+            let wake_us = plant.cpu.next_interrupt_us().map_or(until, |next| next.clamp(now_us, until));
+            if now_us < wake_us {
+                return Next::Rest(pace.real_until(wake_us, gate.now_us()).unwrap_or(PAUSE_US_MAX));
+            }
+        }
+        let interrupts = plant.cpu.next_interrupt_us().is_some_and(|next| next <= now_us);
+        if interrupts || now_us < until {
+            // What it writes to the process image goes out with the outputs of the last scan.
+            let woken_us = now_us;
+            let mut still = || woken_us;
+            plant.cpu.serve_with(if real { &mut clock } else { &mut still }, None);
+            self.surroundings.keep(&mut plant.cpu);
+        }
+        if now_us < until {
+            return Next::Again(0);
+        }
+        let began = gate.now_us();
+        if real {
+            self.scan(plant, &mut clock);
+        } else {
+            self.scan(plant, &mut || now_us);
+        }
+        self.due_us = self.due_us.saturating_add(pace.cycle_us).max(now_us);
+        Next::Again(gate.now_us().saturating_sub(began))
+    }
+
+    fn scan(&mut self, plant: &mut Plant, clock: &mut dyn FnMut() -> u64) {
+        self.desk.scan(plant, clock, self.gate.now_us());
+        plant.scans += 1;
+        self.surroundings.keep(&mut plant.cpu);
+    }
+}

@@ -1,0 +1,353 @@
+//! The gate: how other threads come to the CPU between two scans.
+//!
+//! The thread that scans holds the lock exactly while it scans, so whoever holds it then stands at the cycle control point: what is read
+//! belongs to one scan, what is written falls between two. There is no queue and no copy of an area. The scan has right of way: nobody comes
+//! in who could delay it, and whoever is in lets go after a portion.
+
+use std::sync::atomic::{AtomicBool, AtomicU32, AtomicU64, Ordering};
+use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+use sieben_cpu::{AccessError, Cpu, Restart, Station, StopRequest};
+use sieben_model::item::Item;
+use sieben_model::value::Value;
+
+use crate::pace::Pace;
+
+/// Nobody comes in when the next scan begins sooner than this, in microseconds.
+pub const NEAR_US: u64 = 50;
+/// How long somebody stays inside at a time, in microseconds.
+pub const PORTION_US: u64 = 200;
+/// Most jobs that are done at a time.
+pub const PORTION_JOBS: usize = 64;
+/// Most items of one list: all of them are read or written at one cycle control point.
+pub const ITEMS_MAX: usize = 1_000;
+/// Longest wait for a sign of the scan before somebody looks again.
+const LOOK_AGAIN: Duration = Duration::from_millis(20);
+/// No scan is expected.
+const NEVER: u64 = u64::MAX;
+
+/// What is on the other side of the gate.
+pub struct Plant {
+    /// The CPU.
+    pub cpu: Cpu,
+    /// Its time.
+    pub pace: Pace,
+    /// Scans since the beginning of the run, over all restarts.
+    pub scans: u64,
+    /// A start that somebody outside has asked for.
+    pub(crate) start: Option<Restart>,
+    /// Whether a CPU in STOP waits for a start instead of ending the run.
+    pub(crate) waits_in_stop: bool,
+}
+
+impl Plant {
+    /// A CPU that has not started yet.
+    pub fn new(cpu: Cpu, pace: Pace) -> Self {
+        Self { cpu, pace, scans: 0, start: None, waits_in_stop: false }
+    }
+
+    /// Sends the CPU to STOP on behalf of somebody outside: the run goes on, and the CPU waits there for a start.
+    pub fn stop(&mut self) {
+        self.waits_in_stop = true;
+        Station::stop(&mut self.cpu);
+    }
+
+    /// Asks for a start; the thread that scans carries it out at its next turn.
+    pub fn ask_for_start(&mut self, restart: Restart) {
+        self.start = Some(restart);
+    }
+
+    /// Whether a CPU in STOP waits for a start instead of ending the run.
+    pub fn wait_in_stop(&mut self, waits: bool) {
+        self.waits_in_stop = waits;
+    }
+}
+
+/// The run is over: nobody comes in any more.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Closed;
+
+impl std::fmt::Display for Closed {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str("the run is over")
+    }
+}
+
+impl std::error::Error for Closed {}
+
+/// Why a list of items is not read or written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ListError {
+    /// The run is over.
+    Closed,
+    /// The list is longer than [`ITEMS_MAX`].
+    TooLong(usize),
+}
+
+impl std::fmt::Display for ListError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Closed => Closed.fmt(f),
+            Self::TooLong(length) => write!(f, "{length} items are too many for one list; {ITEMS_MAX} are read or written at once"),
+        }
+    }
+}
+
+impl std::error::Error for ListError {}
+
+impl From<Closed> for ListError {
+    fn from(Closed: Closed) -> Self {
+        Self::Closed
+    }
+}
+
+/// The time of the computer in microseconds, from any beginning; it never goes back.
+pub type Clock = Box<dyn Fn() -> u64 + Send + Sync>;
+
+/// The gate.
+pub struct Gate {
+    plant: Mutex<Plant>,
+    /// Only one of those outside stands before the lock, so that the scan waits for one portion at most.
+    turn: Mutex<()>,
+    clock: Clock,
+    /// When the next scan begins.
+    due_us: AtomicU64,
+    /// The scan stands before the lock.
+    scan_waits: AtomicBool,
+    /// How many are outside and want in.
+    waiting: AtomicU32,
+    /// How many scans have ended.
+    points: AtomicU64,
+    closed: AtomicBool,
+    /// OB 90 runs, which is interrupted for everyone who wants in.
+    background: AtomicBool,
+    requests: StopRequest,
+    /// Whether the thread that scans is to look up from its pause.
+    pause: Mutex<bool>,
+    woken: Condvar,
+    point: Mutex<()>,
+    passed: Condvar,
+}
+
+/// A lock whose holder may have panicked: what it protects is plain data, and the next scan finds whatever it finds.
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Somebody who wants in.
+struct Waiting<'g>(&'g AtomicU32);
+
+impl<'g> Waiting<'g> {
+    fn at(gate: &'g Gate) -> Self {
+        gate.waiting.fetch_add(1, Ordering::Release);
+        Self(&gate.waiting)
+    }
+}
+
+impl Drop for Waiting<'_> {
+    fn drop(&mut self) {
+        self.0.fetch_sub(1, Ordering::Release);
+    }
+}
+
+impl Gate {
+    /// A gate before a plant. The clock is the computer's.
+    pub fn new(plant: Plant, clock: Clock) -> Self {
+        Self {
+            requests: plant.cpu.stop_request(),
+            plant: Mutex::new(plant),
+            turn: Mutex::default(),
+            clock,
+            due_us: AtomicU64::new(NEVER),
+            scan_waits: AtomicBool::default(),
+            waiting: AtomicU32::default(),
+            points: AtomicU64::default(),
+            closed: AtomicBool::default(),
+            background: AtomicBool::default(),
+            pause: Mutex::default(),
+            woken: Condvar::new(),
+            point: Mutex::default(),
+            passed: Condvar::new(),
+        }
+    }
+
+    /// What the computer's clock shows, in microseconds.
+    pub fn now_us(&self) -> u64 {
+        (self.clock)()
+    }
+
+    /// Comes in between two scans. The work has to be short: [`PORTION_US`], or [`PORTION_JOBS`] jobs.
+    ///
+    /// # Errors
+    /// The run is over.
+    pub fn enter<R>(&self, work: impl FnOnce(&mut Plant) -> R) -> Result<R, Closed> {
+        let _waiting = Waiting::at(self);
+        let _turn = lock(&self.turn);
+        if self.background.load(Ordering::Acquire) {
+            self.requests.let_in();
+        }
+        self.give_way();
+        let mut plant = lock(&self.plant);
+        if self.is_closed() {
+            return Err(Closed);
+        }
+        Ok(work(&mut plant))
+    }
+
+    /// Comes in as often as the jobs take, a portion at a time.
+    ///
+    /// # Errors
+    /// The run is over; what was done until then is lost.
+    pub fn enter_for_each<J, R>(
+        &self,
+        jobs: impl IntoIterator<Item = J>,
+        mut work: impl FnMut(&mut Plant, J) -> R,
+    ) -> Result<Vec<R>, Closed> {
+        let mut jobs = jobs.into_iter().peekable();
+        let mut done = Vec::new();
+        while jobs.peek().is_some() {
+            self.enter(|plant| {
+                let end = self.now_us().saturating_add(PORTION_US);
+                for job in jobs.by_ref().take(PORTION_JOBS) {
+                    done.push(work(plant, job));
+                    if self.now_us() >= end {
+                        break;
+                    }
+                }
+            })?;
+        }
+        Ok(done)
+    }
+
+    /// Reads a list of items, all at one cycle control point; which scan was the last before it.
+    ///
+    /// # Errors
+    /// The run is over, or the list is too long.
+    pub fn read(&self, items: &[Item]) -> Result<(u64, Vec<Result<Value, AccessError>>), ListError> {
+        if items.len() > ITEMS_MAX {
+            return Err(ListError::TooLong(items.len()));
+        }
+        Ok(self.enter(|plant| (plant.scans, plant.cpu.read_items(items)))?)
+    }
+
+    /// Writes a list of items, all between the same two scans.
+    ///
+    /// # Errors
+    /// The run is over, or the list is too long: then nothing is written.
+    pub fn write(&self, values: &[(Item, Value)]) -> Result<(u64, Vec<Result<(), AccessError>>), ListError> {
+        if values.len() > ITEMS_MAX {
+            return Err(ListError::TooLong(values.len()));
+        }
+        Ok(self.enter(|plant| (plant.scans, plant.cpu.write_items(values)))?)
+    }
+
+    /// Changes something about the run, and wakes the thread that scans from its pause.
+    ///
+    /// # Errors
+    /// The run is over.
+    pub fn command<R>(&self, work: impl FnOnce(&mut Plant) -> R) -> Result<R, Closed> {
+        let done = self.enter(work)?;
+        self.wake();
+        Ok(done)
+    }
+
+    /// Wakes the thread that scans from its pause.
+    pub fn wake(&self) {
+        *lock(&self.pause) = true;
+        self.woken.notify_all();
+    }
+
+    /// Waits until more than `points` scans have ended, but not longer than `most`; how many have ended.
+    pub fn wait_for_point(&self, points: u64, most: Duration) -> u64 {
+        let _waiting = Waiting::at(self);
+        let point = lock(&self.point);
+        let waits = |(): &mut ()| self.points.load(Ordering::Acquire) <= points && !self.is_closed();
+        drop(self.passed.wait_timeout_while(point, most, waits));
+        self.points()
+    }
+
+    /// How many scans and services have ended.
+    pub fn points(&self) -> u64 {
+        self.points.load(Ordering::Acquire)
+    }
+
+    /// Whether the run is over.
+    pub fn is_closed(&self) -> bool {
+        self.closed.load(Ordering::Acquire)
+    }
+
+    /// Waits while the scan is inside or near.
+    fn give_way(&self) {
+        loop {
+            let points = self.points();
+            let due = self.due_us.load(Ordering::Acquire);
+            let near = due != NEVER && due.saturating_sub(self.now_us()) < NEAR_US;
+            if self.is_closed() || !(near || self.scan_waits.load(Ordering::Acquire)) {
+                return;
+            }
+            let point = lock(&self.point);
+            let waits = |(): &mut ()| self.points.load(Ordering::Acquire) == points && !self.is_closed();
+            let (point, time_out) = self.passed.wait_timeout_while(point, LOOK_AGAIN, waits).unwrap_or_else(PoisonError::into_inner);
+            drop(point);
+            // A thread that should have scanned long ago does something else: nobody waits for it.
+            if time_out.timed_out() && !self.scan_waits.load(Ordering::Acquire) {
+                return;
+            }
+        }
+    }
+
+    /// The thread that scans comes in: everyone else stays outside until it has done its work, whose end is told.
+    pub(crate) fn scan<R>(&self, work: impl FnOnce(&mut Plant) -> R) -> R {
+        self.scan_waits.store(true, Ordering::Release);
+        let mut plant = lock(&self.plant);
+        self.scan_waits.store(false, Ordering::Release);
+        self.due_us.store(NEVER, Ordering::Release);
+        let done = work(&mut plant);
+        drop(plant);
+        self.points.fetch_add(1, Ordering::Release);
+        if self.is_wanted() {
+            drop(lock(&self.point));
+            self.passed.notify_all();
+        }
+        done
+    }
+
+    /// OB 90 runs, until somebody wants in.
+    pub(crate) fn in_background(&self, run: impl FnOnce()) {
+        self.background.store(true, Ordering::SeqCst);
+        if self.is_wanted() {
+            self.requests.let_in();
+        }
+        run();
+        self.background.store(false, Ordering::Release);
+    }
+
+    /// Whether somebody wants in.
+    pub(crate) fn is_wanted(&self) -> bool {
+        self.waiting.load(Ordering::Acquire) > 0
+    }
+
+    /// Waits for the next scan, in `us` microseconds, with the gate open; sooner if it is woken, `true` then.
+    pub(crate) fn rest(&self, us: u64) -> bool {
+        self.due_us.store(self.now_us().saturating_add(us), Ordering::Release);
+        let pause = lock(&self.pause);
+        let (mut pause, _) =
+            self.woken.wait_timeout_while(pause, Duration::from_micros(us), |woken| !*woken).unwrap_or_else(PoisonError::into_inner);
+        std::mem::take(&mut *pause)
+    }
+
+    /// The run is over: whoever waits gets an answer, and nobody comes in any more.
+    pub fn close(&self) {
+        self.closed.store(true, Ordering::Release);
+        drop(lock(&self.point));
+        self.passed.notify_all();
+        self.wake();
+    }
+
+    /// The run is over: what is done with the plant at the end. Nobody else comes in any more.
+    pub fn finish<R>(&self, work: impl FnOnce(&mut Plant) -> R) -> R {
+        self.close();
+        work(&mut lock(&self.plant))
+    }
+}

@@ -1,0 +1,140 @@
+//! How the time of a CPU relates to that of the computer.
+
+/// How fast the time of the CPU goes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Speed {
+    /// So many times as fast as real time.
+    Factor(f64),
+    /// As fast as the computer goes, in virtual time.
+    Max,
+}
+
+impl Speed {
+    /// Whether the CPU has the time of the computer.
+    pub fn is_real(self) -> bool {
+        self == Self::Factor(1.0)
+    }
+}
+
+/// The time of the CPU: how fast it goes, when scans begin, when the run ends. All in microseconds.
+#[derive(Clone, Debug)]
+pub struct Pace {
+    /// From one scan to the next; 0 = one scan after another.
+    pub cycle_us: u64,
+    /// When the run ends.
+    pub end_us: u64,
+    speed: Speed,
+    paused: bool,
+    /// Scans that are still to be run while time stands still.
+    steps: u64,
+    /// A moment in both times, from which on the speed holds.
+    since: (u64, u64),
+}
+
+impl Pace {
+    /// Time that begins at 0 when the computer's shows `real_us`.
+    pub fn new(speed: Speed, cycle_us: u64, end_us: u64, real_us: u64) -> Self {
+        Self { cycle_us, end_us, speed, paused: false, steps: 0, since: (real_us, 0) }
+    }
+
+    /// How fast it goes.
+    pub fn speed(&self) -> Speed {
+        self.speed
+    }
+
+    /// Whether time stands still.
+    pub fn is_paused(&self) -> bool {
+        self.paused
+    }
+
+    /// The time of the CPU when the computer's shows `real_us`. In virtual time it only goes from scan to scan ([`Self::pass`]).
+    pub fn time_us(&self, real_us: u64) -> u64 {
+        let (real, own) = self.since;
+        match self.speed {
+            Speed::Factor(factor) if !self.paused => own.saturating_add((real_us.saturating_sub(real) as f64 * factor) as u64),
+            _ => own,
+        }
+    }
+
+    /// How long the computer takes until the CPU has this time; `None` if it does not come by itself.
+    pub fn real_until(&self, time_us: u64, real_us: u64) -> Option<u64> {
+        let left = time_us.saturating_sub(self.time_us(real_us));
+        match self.speed {
+            _ if left == 0 => Some(0),
+            Speed::Factor(factor) if !self.paused => Some((left as f64 / factor).ceil() as u64),
+            _ => None,
+        }
+    }
+
+    /// Sets how fast time goes from now on.
+    pub fn set_speed(&mut self, speed: Speed, real_us: u64) {
+        self.since = (real_us, self.time_us(real_us));
+        self.speed = speed;
+    }
+
+    /// Time stands still from now on.
+    pub fn pause(&mut self, real_us: u64) {
+        self.since = (real_us, self.time_us(real_us));
+        self.paused = true;
+    }
+
+    /// Time goes on from now on.
+    pub fn go(&mut self, real_us: u64) {
+        if self.paused {
+            self.since = (real_us, self.since.1);
+            (self.paused, self.steps) = (false, 0);
+        }
+    }
+
+    /// So many scans more while time stands still; it stands still from now on if it did not.
+    pub fn step(&mut self, scans: u64, real_us: u64) {
+        if !self.paused {
+            self.pause(real_us);
+        }
+        self.steps = self.steps.saturating_add(scans);
+    }
+
+    /// Takes one of the scans that [`Self::step`] wants; `false` if there is none.
+    pub(crate) fn take_step(&mut self) -> bool {
+        let any = self.paused && self.steps > 0;
+        if any {
+            self.steps -= 1;
+        }
+        any
+    }
+
+    /// Whether a scan is wanted although time stands still.
+    pub fn has_steps(&self) -> bool {
+        self.paused && self.steps > 0
+    }
+
+    /// Lets time pass at once: from scan to scan in virtual time, or in steps.
+    pub(crate) fn pass(&mut self, us: u64) {
+        self.since.1 = self.since.1.saturating_add(us);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn time_goes_as_fast_as_it_is_set_and_never_back() {
+        let mut pace = Pace::new(Speed::Factor(1.0), 10_000, u64::MAX, 500);
+        assert_eq!((pace.time_us(500), pace.time_us(1_500), pace.real_until(2_000, 1_500)), (0, 1_000, Some(1_000)));
+        pace.set_speed(Speed::Factor(10.0), 1_500);
+        assert_eq!((pace.time_us(1_500), pace.time_us(1_600), pace.real_until(2_005, 1_600)), (1_000, 2_000, Some(1)));
+        pace.pause(1_600);
+        assert_eq!((pace.time_us(9_000), pace.real_until(3_000, 9_000), pace.real_until(2_000, 9_000)), (2_000, None, Some(0)));
+        pace.step(2, 9_000);
+        assert!(pace.take_step());
+        pace.pass(10_000);
+        assert_eq!(pace.time_us(9_500), 12_000);
+        assert!(pace.take_step() && !pace.take_step());
+        pace.go(10_000);
+        assert_eq!(pace.time_us(10_010), 12_100);
+        pace.set_speed(Speed::Max, 10_010);
+        assert_eq!((pace.time_us(20_000), pace.real_until(13_000, 20_000)), (12_100, None));
+        assert_eq!(pace.time_us(0), 12_100, "a clock that goes back does not take the CPU along");
+    }
+}

@@ -1,0 +1,206 @@
+//! The status of a scan: what each statement of some blocks found and left.
+//!
+//! The CPU never leaves machine code for it. A few times a second one scan is recorded, with all that comes in while it runs, and replayed in
+//! the interpreter by another thread; where that ends differently from the real scan, the sample says so.
+
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
+use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+use sieben_cpu::{EndState, NotReplayed, RecordedScan, Replayer};
+use sieben_engine::machine::Registers;
+use sieben_engine::{Machine, StatementEvent, Tracer};
+use sieben_model::block::BlockId;
+
+use crate::gate::Plant;
+
+/// Least distance of two recorded scans, in microseconds: 20 a second at most.
+pub const DISTANCE_US: u64 = 50_000;
+/// Most statements of one sample; a block has fewer.
+const STATEMENTS_MAX: usize = 200_000;
+
+/// What one statement found and left when it was executed last in a scan.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StatementStatus {
+    /// The registers that it found.
+    pub before: Registers,
+    /// The registers that it left.
+    pub after: Registers,
+    /// How often it was executed in this scan.
+    pub times: u32,
+}
+
+/// The status of one scan.
+#[derive(Clone, Debug)]
+pub struct Sample {
+    /// Scans of the run up to this one.
+    pub scan: u64,
+    /// When it began, in the time of the CPU.
+    pub time_us: u64,
+    /// Whether the replay ended as the real scan did: the same memory, timers, counters and registers.
+    pub same: bool,
+    /// The statements of the blocks that are looked at, by block and number from 0.
+    pub statements: BTreeMap<(BlockId, u32), StatementStatus>,
+}
+
+/// What came of a look at the status.
+pub type Looked = Result<Arc<Sample>, NotReplayed>;
+
+/// A recording with its place in the run.
+struct Recorded {
+    scan: RecordedScan,
+    number: u64,
+    time_us: u64,
+}
+
+/// The newest sample, with a number that grows with each.
+#[derive(Default)]
+struct Newest {
+    number: u64,
+    looked: Option<Looked>,
+}
+
+/// Where the status of scans is asked for.
+#[derive(Default)]
+pub struct Desk {
+    /// How many look at each block.
+    blocks: Mutex<BTreeMap<BlockId, usize>>,
+    /// How many look at all.
+    onlookers: AtomicUsize,
+    /// When the last scan was recorded.
+    last_us: AtomicU64,
+    recorded: Mutex<Option<Recorded>>,
+    came: Condvar,
+    /// How the last recorded scan ended: the next recording shares with it what is the same.
+    like: Mutex<Option<Arc<EndState>>>,
+    newest: Mutex<Newest>,
+    sampled: Condvar,
+}
+
+/// Somebody looks at blocks as long as this is there.
+pub struct Look<'d> {
+    desk: &'d Desk,
+    blocks: Vec<BlockId>,
+}
+
+impl Drop for Look<'_> {
+    fn drop(&mut self) {
+        let mut known = lock(&self.desk.blocks);
+        for block in &self.blocks {
+            if let Some(count) = known.get_mut(block) {
+                *count -= 1;
+                if *count == 0 {
+                    known.remove(block);
+                }
+            }
+        }
+        self.desk.onlookers.fetch_sub(1, Ordering::Release);
+    }
+}
+
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+impl Desk {
+    /// Looks at blocks from now on, until the look is dropped.
+    pub fn look(&self, blocks: impl IntoIterator<Item = BlockId>) -> Look<'_> {
+        let blocks: Vec<BlockId> = blocks.into_iter().collect();
+        let mut known = lock(&self.blocks);
+        for &block in &blocks {
+            *known.entry(block).or_default() += 1;
+        }
+        drop(known);
+        self.onlookers.fetch_add(1, Ordering::Release);
+        Look { desk: self, blocks }
+    }
+
+    /// One scan, recorded if somebody looks and it is time. `real_us` is what the computer's clock shows.
+    pub(crate) fn scan(&self, plant: &mut Plant, clock: &mut dyn FnMut() -> u64, real_us: u64) {
+        let last = self.last_us.load(Ordering::Relaxed);
+        let is_due = last == 0 || real_us.saturating_sub(last) >= DISTANCE_US;
+        let wanted = self.onlookers.load(Ordering::Acquire) > 0 && is_due;
+        // Whoever replays is still at the last one: this scan is not needed.
+        let free = wanted && self.recorded.try_lock().is_ok_and(|recorded| recorded.is_none());
+        if !free {
+            plant.cpu.scan_with(clock, None);
+            return;
+        }
+        self.last_us.store(real_us.max(1), Ordering::Relaxed);
+        let like = lock(&self.like).clone();
+        let (_, scan) = plant.cpu.scan_recorded(clock, like.as_deref());
+        *lock(&self.like) = Some(Arc::clone(scan.after()));
+        let time_us = plant.cpu.time_us();
+        *lock(&self.recorded) = Some(Recorded { scan, number: plant.scans + 1, time_us });
+        self.came.notify_all();
+    }
+
+    /// Replays what is recorded until `is_over`: the body of a thread.
+    pub fn replay(&self, is_over: impl Fn() -> bool) {
+        let mut replayer = Replayer::default();
+        while !is_over() {
+            let recorded = lock(&self.recorded);
+            let (recorded, _) = self
+                .came
+                .wait_timeout_while(recorded, Duration::from_millis(200), |recorded| recorded.is_none())
+                .unwrap_or_else(PoisonError::into_inner);
+            let Some(recorded) = ({ recorded }).take() else { continue };
+            let looked = self.sample(&recorded, &mut replayer);
+            let mut newest = lock(&self.newest);
+            newest.number += 1;
+            newest.looked = Some(looked.map(Arc::new));
+            drop(newest);
+            self.sampled.notify_all();
+        }
+    }
+
+    fn sample(&self, recorded: &Recorded, replayer: &mut Replayer) -> Result<Sample, NotReplayed> {
+        let blocks = lock(&self.blocks).keys().copied().collect();
+        let mut collector = Collector { blocks, statements: BTreeMap::new() };
+        let same = recorded.scan.replay(replayer, &mut collector)?;
+        Ok(Sample { scan: recorded.number, time_us: recorded.time_us, same, statements: collector.statements })
+    }
+
+    /// Waits for a sample that is newer than `number`, but not longer than `most`; the newest one with its number, if there is any.
+    pub fn wait_for_sample(&self, number: u64, most: Duration) -> Option<(u64, Looked)> {
+        let newest = lock(&self.newest);
+        let (newest, _) =
+            self.sampled.wait_timeout_while(newest, most, |newest| newest.number <= number).unwrap_or_else(PoisonError::into_inner);
+        newest.looked.clone().filter(|_| newest.number > number).map(|looked| (newest.number, looked))
+    }
+
+    /// The number of the newest sample.
+    pub fn number(&self) -> u64 {
+        lock(&self.newest).number
+    }
+}
+
+/// Keeps what the statements of some blocks found and left.
+struct Collector {
+    blocks: Vec<BlockId>,
+    statements: BTreeMap<(BlockId, u32), StatementStatus>,
+}
+
+impl Tracer for Collector {
+    fn statement(&mut self, _: &Machine, event: &StatementEvent) {
+        let place = (event.place.block, event.place.statement);
+        if !self.blocks.contains(&place.0) {
+            return;
+        }
+        let full = self.statements.len() >= STATEMENTS_MAX;
+        match self.statements.entry(place) {
+            Entry::Occupied(mut known) => {
+                let status = known.get_mut();
+                status.before.clone_from(&event.before);
+                status.after.clone_from(&event.after);
+                status.times = status.times.saturating_add(1);
+            }
+            Entry::Vacant(_) if full => {}
+            Entry::Vacant(place) => {
+                place.insert(StatementStatus { before: event.before.clone(), after: event.after.clone(), times: 1 });
+            }
+        }
+    }
+}
