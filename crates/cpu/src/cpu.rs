@@ -3,6 +3,7 @@
 mod access;
 mod background;
 mod extension;
+mod from_outside;
 mod interrupting;
 mod loaded;
 mod online_change;
@@ -24,6 +25,7 @@ use sieben_model::block::BlockId;
 use sieben_model::cpu_type::CpuType;
 
 use crate::clock::{BcdClock, DateAndTime};
+use crate::communication::Communication;
 use crate::cycle::{Cycle, CycleTimes};
 use crate::diagnostic_buffer::DiagnosticBuffer;
 use crate::failed_statements::FailedStatements;
@@ -31,6 +33,7 @@ use crate::forcing::Forced;
 use crate::host::{Requests, Slice, Watchdog};
 use crate::interrupts::Interrupts;
 use crate::io::Rack;
+use crate::loaded_blocks::LoadTimes;
 use crate::mode::{OperatingMode, Restart, StopCause};
 use crate::process_image::{Failures, Images, Overrides};
 use crate::retain::{Declarations, Keeper};
@@ -105,6 +108,8 @@ pub struct Cpu {
     testing: bool,
     /// The test that waits for something.
     suspended_test: Option<Stack>,
+    communication: Communication,
+    load_times: LoadTimes,
 }
 
 impl Cpu {
@@ -124,6 +129,7 @@ impl Cpu {
         let Loaded { cpu_type, program, layout, engine, declarations, image_writes } = loaded;
         let machine = Machine::new(layout);
         let registers = machine.registers.clone();
+        let load_times = LoadTimes::at(settings.date_and_time);
         let interrupts = Interrupts::new(|number| available(cpu_type, &*engine, number));
         let mut cpu = Self {
             cpu_type,
@@ -165,6 +171,8 @@ impl Cpu {
             torn: false,
             testing: false,
             suspended_test: None,
+            communication: Communication::default(),
+            load_times,
         };
         cpu.load_data_blocks(|_| true);
         cpu

@@ -5,6 +5,7 @@ use std::collections::VecDeque;
 use sieben_engine::FaultPlace;
 
 use crate::clock::DateAndTime;
+use crate::communication::Requester;
 pub use crate::diagnostic_events::event_text;
 use crate::start_information::StartInformation;
 
@@ -96,6 +97,7 @@ impl DiagnosticEntry {
             }
             0x35A1 | 0x35A2 => format!("event 16#{:04X} while OB {} ran", info_2 >> 16, info_2 & 0xFF),
             0x3842 | 0x3942 | 0x3861..=0x3865 | 0x3961 | 0x38C1..=0x38C6 | 0x39C1..=0x39C6 => format!("address {info_1}"),
+            0x1381 | 0x1383 | 0x1385 | 0x4304 | 0x4307 => format!("asked for by {}", Requester::read(data_id, info_2)?),
             0x4309 | 0x430E if data_id == 1 => "retentive data was damaged".to_owned(),
             0x4309 | 0x430E if data_id == 2 => "retentive data belonged to another program".to_owned(),
             _ => return None,
