@@ -369,6 +369,12 @@ fn data_blocks_take_new_values_where_that_is_asked_for() {
         assert!(cpu.date_and_time() > loaded_at);
         run(&mut cpu, 4);
         assert_eq!([1, 2, 3].map(|db| word(&cpu, &dbw(db, 0))), [101, 201, 31], "{engine}");
+        // Values alone need no change of the program: the next scan has them.
+        let mut only_values = cpu.program().data[&3].clone();
+        only_values.image = vec![1, 0];
+        cpu.replace_data_block(&only_values).expect("only values");
+        run(&mut cpu, 5);
+        assert_eq!(word(&cpu, &dbw(3, 0)), 0x0101, "{engine}");
         // What came from outside into the load memory gives way to the values of the program too.
         let mut block = cpu.program().data[&1].clone();
         block.image = vec![0x11; 2];
