@@ -6,7 +6,7 @@ mod program;
 use std::sync::Arc;
 
 use program::{ENGINES, compile, cpu};
-use sieben_cpu::{Cpu, DiagnosticEntry, Interrupt, OperatingMode, Restart, Station};
+use sieben_cpu::{Cpu, DateAndTime, DiagnosticEntry, Interrupt, OperatingMode, Restart, Station};
 use sieben_model::address::Operand;
 use sieben_model::cpu_type::CpuType;
 use sieben_model::mnemonics::Mnemonics;
@@ -177,5 +177,100 @@ END_ORGANIZATION_BLOCK
         cpu.scan(200_010_000);
         let cause = Cpu::stop_cause(&cpu).unwrap_or_else(|| panic!("{engine}: a STOP"));
         assert_eq!((cause.event, cause.first_event), (0x4568, 0x3506), "{engine}");
+    });
+}
+
+/// OB 100 activates OB 10 for each hour, OB 10 counts in MW 0, OB 80 keeps the event of its start.
+const HOURLY: &str = "ORGANIZATION_BLOCK OB 100
+VAR_TEMP info : ARRAY [0..19] OF BYTE; ret : INT; at : DATE_AND_TIME; END_VAR
+BEGIN
+L B#16#94; T LB 22; L B#16#1; T LB 23; T LB 24; T LB 25; L 0; T LB 26; T LB 27; T LB 28; T LB 29;
+CALL SFC 28 (OB_NR := 10, SDT := #at, PERIOD := W#16#401, RET_VAL := MW 10);
+CALL SFC 30 (OB_NR := 10, RET_VAL := MW 12);
+END_ORGANIZATION_BLOCK
+ORGANIZATION_BLOCK OB 10
+VAR_TEMP info : ARRAY [0..19] OF BYTE; END_VAR
+BEGIN
+L MW 0; INC 1; T MW 0;
+END_ORGANIZATION_BLOCK
+ORGANIZATION_BLOCK OB 80
+VAR_TEMP info : ARRAY [0..19] OF BYTE; END_VAR
+BEGIN
+L LW 0; T MW 2; L MW 4; INC 1; T MW 4;
+END_ORGANIZATION_BLOCK
+ORGANIZATION_BLOCK OB 1
+VAR_TEMP info : ARRAY [0..19] OF BYTE; at : DATE_AND_TIME; ret : INT; END_VAR
+BEGIN
+A I 0.0; R I 0.0; JCN done;
+L B#16#94; T LB 20; L B#16#1; T LB 21; T LB 22; L B#16#5; T LB 23; L B#16#30; T LB 24; L 0; T LB 25; T LB 26; T LB 27;
+CALL SFC 0 (PDT := #at, RET_VAL := MW 14);
+done: NOP 0;
+END_ORGANIZATION_BLOCK
+";
+
+#[test]
+fn setting_the_clock_from_outside_is_what_sfc_0_does() {
+    let later = |minutes: u64| DateAndTime::DEFAULT.plus_us(minutes * 60_000_000);
+    for cpu_type in ["315-2PN/DP", "416-3"] {
+        let mut results = Vec::new();
+        each(cpu_type, HOURLY, |engine, mut cpu| {
+            cpu.scan(10_000);
+            assert_eq!([10, 12].map(|byte| value(&cpu, &format!("MW {byte}"))), [0, 0], "{engine}: OB 10 is active");
+            if results.is_empty() {
+                cpu.modify(&Operand::parse("I 0.0").expect("an operand"), 1).expect("an input");
+                cpu.scan(20_000);
+                assert_eq!(value(&cpu, "MW 14"), 0, "{engine}");
+            } else {
+                cpu.scan(20_000);
+                cpu.set_clock(later(330)).expect("a time");
+            }
+            cpu.scan(30_000);
+            let events: Vec<u16> = cpu.diagnostic_buffer().entries().map(DiagnosticEntry::event).collect();
+            results.push((engine.to_owned(), [0, 2, 4].map(|byte| value(&cpu, &format!("MW {byte}"))), events));
+        });
+        for (engine, memory, events) in &results {
+            assert_eq!(memory, &[0, 0x3505, 1], "{cpu_type}, {engine}: what came meanwhile was skipped");
+            assert_eq!(events[0], 0x3505, "{cpu_type}, {engine}");
+            assert_eq!(events, &results[0].2, "{cpu_type}, {engine}");
+        }
+    }
+}
+
+#[test]
+fn status_lists_from_outside_are_those_of_sfc_51() {
+    let ask = "ORGANIZATION_BLOCK OB 1
+VAR_TEMP info : ARRAY [0..19] OF BYTE; header : STRUCT LENTHDR : WORD; N_DR : WORD; END_STRUCT; END_VAR
+BEGIN
+CALL SFC 51 (REQ := TRUE, SZL_ID := MW 20, INDEX := MW 22, RET_VAL := MW 24, BUSY := M 0.0, SZL_HEADER := #header, DR := P#DB1.DBX0.0 BYTE 8000);
+L #header.LENTHDR; T MW 26; L #header.N_DR; T MW 28;
+END_ORGANIZATION_BLOCK
+DATA_BLOCK DB 1
+STRUCT bytes : ARRAY [1..8000] OF BYTE; END_STRUCT;
+BEGIN
+END_DATA_BLOCK
+";
+    each("315-2PN/DP", ask, |engine, mut cpu| {
+        let ids: Vec<u16> =
+            (cpu.status_list(0, 0).expect("all lists").records.iter()).map(|id| u16::from_be_bytes([id[0], id[1]])).collect();
+        assert!(ids.len() > 40, "{engine}");
+        for (scan, (id, index)) in ids.into_iter().flat_map(|id| [0, 1, 4, 6].map(|index| (id, index))).enumerate() {
+            for (byte, word) in [(20, id), (22, index)] {
+                cpu.modify(&Operand::parse(&format!("MW {byte}")).expect("an operand"), u32::from(word)).expect("bit memory");
+            }
+            cpu.scan(scan as u64);
+            let place = format!("{engine}, list 16#{id:04X}, index {index}");
+            match cpu.status_list(id, index) {
+                Ok(list) => {
+                    assert_eq!(value(&cpu, "MW 24"), 0, "{place}");
+                    assert_eq!(value(&cpu, "MW 26"), u32::from(list.record_bytes), "{place}");
+                    assert_eq!(value(&cpu, "MW 28"), u32::from(list.count), "{place}");
+                    let bytes = list.records.concat();
+                    let entry = cpu.machine().memory.data_block(1).expect("DB 1");
+                    let read = &cpu.machine().memory.arena[entry.base as usize..][..bytes.len()];
+                    assert!(read == bytes, "{place}: {read:02X?} is not {bytes:02X?}");
+                }
+                Err(_) => assert!(value(&cpu, "MW 24") > 0x8000, "{place}"),
+            }
+        }
     });
 }

@@ -8,11 +8,13 @@ use std::sync::Arc;
 use program::{ENGINES, Load, compile, cpu};
 use sieben_cpu::online_change::LossReason;
 use sieben_cpu::retain::Adoption;
-use sieben_cpu::{ChangeRefused, Cpu, Loaded, OnlineChange, OperatingMode, Restart, Station};
+use sieben_cpu::{ChangeRefused, Cpu, DateAndTime, Loaded, OnlineChange, OperatingMode, ReplaceRefused, Restart, Station};
 use sieben_engine::Program;
 use sieben_model::address::{Area, Operand, Width};
+use sieben_model::block::{BlockId, BlockLanguage};
 use sieben_model::cpu_type::CpuType;
 use sieben_model::mnemonics::Mnemonics;
+use sieben_model::program::DataBlock;
 
 fn cpu_type() -> &'static CpuType {
     CpuType::by_name("416-3").expect("a CPU type")
@@ -330,5 +332,84 @@ fn the_same_program_changes_nothing() {
             run(&mut twin, scan);
             assert!(cpu.machine() == twin.machine(), "{engine}, scan {scan}");
         }
+    }
+}
+
+#[test]
+fn data_blocks_take_new_values_where_that_is_asked_for() {
+    let block = |number: u32, fields: &str| format!("DATA_BLOCK DB {number}\nSTRUCT {fields} END_STRUCT;\nBEGIN\nEND_DATA_BLOCK\n");
+    let count = ob1("L DB1.DBW 0; INC 1; T DB1.DBW 0; L DB2.DBW 0; INC 1; T DB2.DBW 0; L DB3.DBW 0; INC 1; T DB3.DBW 0;");
+    let first =
+        [block(1, "a : INT := 10;"), block(2, "a : INT := 20;"), block(3, "a : INT := 30;"), block(4, "a : INT;")].concat() + &count;
+    // DB 1 has another initial value, DB 2 is longer, DB 4 goes, DB 5 is new; DB 3 stays as it is.
+    let second =
+        [block(1, "a : INT := 100;"), block(2, "a : INT := 200; b : INT := 7;"), block(3, "a : INT := 30;"), block(5, "a : INT := 5;")];
+    let second = second.concat() + &count;
+    for &(engine, load) in ENGINES {
+        let loaded = || Loaded::new(cpu_type(), built(&second), load);
+        let mut kept = running(&first, load, 3);
+        let change = kept.change_online(loaded()).expect("between two scans");
+        assert_eq!((change.initial_values.clone(), change.new_values.clone()), (vec![1, 2], vec![]), "{engine}");
+        assert_eq!([1, 2, 3].map(|db| word(&kept, &dbw(db, 0))), [13, 23, 33], "{engine}: without being asked every value stays");
+
+        let mut cpu = running(&first, load, 3);
+        let loaded_at = cpu.date_and_time();
+        run(&mut cpu, 3);
+        let taken = [1, 2, 3, 4, 5].into();
+        let planned = cpu.plan_change_taking(&loaded(), &taken);
+        let done = cpu.change_online_taking(loaded(), &taken).expect("between two scans");
+        assert_eq!(planned, done);
+        assert_eq!(losses(&done), [""; 0], "{engine}: what is asked for is no loss");
+        assert_eq!((done.initial_values.clone(), done.new_values.clone()), (vec![], vec![1, 2, 3, 4, 5]));
+        assert_eq!(blocks(&done), ["DB 1 changed", "DB 2 changed", "DB 4 removed", "DB 5 added"]);
+        assert_eq!([(1, 0), (2, 0), (2, 2), (3, 0), (5, 0)].map(|(db, byte)| word(&cpu, &dbw(db, byte))), [100, 200, 7, 30, 5], "{engine}");
+        assert!(cpu.read(&dbw(4, 0)).is_err(), "{engine}");
+        let loaded_times = [BlockId::ob(1), BlockId::db(3)].map(|id| cpu.block(id).map(|block| block.loaded));
+        assert_eq!(loaded_times, [Some(DateAndTime::DEFAULT), Some(cpu.date_and_time())], "{engine}");
+        assert!(cpu.date_and_time() > loaded_at);
+        run(&mut cpu, 4);
+        assert_eq!([1, 2, 3].map(|db| word(&cpu, &dbw(db, 0))), [101, 201, 31], "{engine}");
+        // Values alone need no change of the program: the next scan has them.
+        let mut only_values = cpu.program().data[&3].clone();
+        only_values.image = vec![1, 0];
+        cpu.replace_data_block(&only_values).expect("only values");
+        run(&mut cpu, 5);
+        assert_eq!(word(&cpu, &dbw(3, 0)), 0x0101, "{engine}");
+        // What came from outside into the load memory gives way to the values of the program too.
+        let mut block = cpu.program().data[&1].clone();
+        block.image = vec![0x11; 2];
+        cpu.replace_data_block(&block).expect("only values");
+        cpu.change_online_taking(loaded(), &[1].into()).expect("between two scans");
+        assert_eq!(word(&cpu, &dbw(1, 0)), 100, "{engine}");
+        cpu.restart(Restart::Cold);
+        assert_eq!(word(&cpu, &dbw(1, 0)), 100, "{engine}");
+        let refused = cpu.change_online_taking(loaded(), &[1, 77].into()).expect_err("there is no DB 77");
+        assert_eq!(refused, ChangeRefused::NoDataBlock(77));
+    }
+}
+
+#[test]
+fn data_blocks_that_the_program_made_are_listed_and_not_replaced() {
+    let block = "DATA_BLOCK DB 3\nAUTHOR : Meyer\nSTRUCT a : INT := 5; END_STRUCT;\nBEGIN\nEND_DATA_BLOCK\n";
+    let make = "A M 0.0; JC done; SET; = M 0.0;
+CALL SFC 22 (LOW_LIMIT := W#16#2, UP_LIMIT := W#16#20, COUNT := W#16#8, RET_VAL := MW 2, DB_NUMBER := MW 4);
+done: NOP 0;";
+    for &(engine, load) in ENGINES {
+        let mut cpu = running(&format!("{block}{}", ob1(make)), load, 2);
+        assert_eq!(cpu.blocks(), [BlockId::ob(1), BlockId::db(2), BlockId::db(3)], "{engine}");
+        let made = cpu.block(BlockId::db(2)).expect("DB 2");
+        assert_eq!((made.attributes.language, made.data_bytes, made.load_memory_bytes), (BlockLanguage::CreatedData, 8, None), "{engine}");
+        assert_eq!(cpu.block(BlockId::db(3)).map(|block| block.attributes.author).as_deref(), Some("Meyer"));
+        assert!(cpu.block(BlockId::ob(1)).is_some_and(|main| main.code_bytes.is_some_and(|bytes| bytes > 20)));
+        let other = DataBlock { number: 2, image: vec![1; 8], ..cpu.program().data[&3].clone() };
+        assert_eq!(cpu.replace_data_block(&other), Err(ReplaceRefused::Created(2)), "{engine}");
+        // A block of the sources with this number takes its place, and that was asked for.
+        let loaded = Loaded::new(cpu_type(), built(&format!("{block}{}{}", block.replace("DB 3", "DB 2"), ob1(make))), load);
+        let done = cpu.change_online_taking(loaded, &[2].into()).expect("between two scans");
+        assert_eq!((losses(&done), done.new_values), (vec![], vec![2]), "{engine}");
+        assert_eq!(
+            (word(&cpu, &dbw(2, 0)), cpu.block(BlockId::db(2)).map(|block| block.attributes.language)),
+            (5, Some(BlockLanguage::Data))
+        );
     }
 }

@@ -1,5 +1,7 @@
 //! The CPU's time of day and its clock memory byte.
 
+use std::fmt;
+
 use sieben_model::literal;
 
 /// A point in time as the CPU keeps it: milliseconds since 1990-01-01 00:00.
@@ -17,6 +19,11 @@ impl DateAndTime {
     /// A point in time by its milliseconds since 1990-01-01 00:00.
     pub const fn from_ms_since_1990(ms: u64) -> Self {
         Self(ms)
+    }
+
+    /// Whether DATE_AND_TIME has it: 1990 to 2089.
+    pub const fn is_date_and_time(self) -> bool {
+        self.0 < CENTURY_DAYS * DAY_MS
     }
 
     /// Milliseconds since 1990-01-01 00:00.
@@ -125,6 +132,18 @@ pub(crate) enum NoDateAndTime {
     /// There is no such time.
     Time,
 }
+
+/// Why the clock is not set from outside: it shows 1990 to 2089. Nothing has changed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ClockRefused;
+
+impl fmt::Display for ClockRefused {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("the clock of a CPU shows times from 1990-01-01 to 2089-12-31")
+    }
+}
+
+impl std::error::Error for ClockRefused {}
 
 impl Default for DateAndTime {
     fn default() -> Self {

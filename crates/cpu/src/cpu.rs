@@ -3,6 +3,7 @@
 mod access;
 mod background;
 mod extension;
+mod from_outside;
 mod interrupting;
 mod items;
 mod loaded;
@@ -26,6 +27,7 @@ use sieben_model::block::BlockId;
 use sieben_model::cpu_type::CpuType;
 
 use crate::clock::{BcdClock, DateAndTime};
+use crate::communication::Communication;
 use crate::cycle::{Cycle, CycleTimes};
 use crate::diagnostic_buffer::DiagnosticBuffer;
 use crate::failed_statements::FailedStatements;
@@ -33,6 +35,7 @@ use crate::forcing::Forced;
 use crate::host::{Requests, Slice, Watchdog};
 use crate::interrupts::Interrupts;
 use crate::io::Rack;
+use crate::loaded_blocks::LoadTimes;
 use crate::mode::{OperatingMode, Restart, StopCause};
 use crate::process_image::{Failures, Images, Overrides};
 use crate::retain::{Declarations, Keeper};
@@ -108,6 +111,8 @@ pub struct Cpu {
     testing: bool,
     /// The test that waits for something.
     suspended_test: Option<Stack>,
+    communication: Communication,
+    load_times: LoadTimes,
 }
 
 impl Cpu {
@@ -127,6 +132,7 @@ impl Cpu {
         let Loaded { cpu_type, program, layout, engine, declarations, image_writes } = loaded;
         let machine = Machine::new(layout);
         let registers = machine.registers.clone();
+        let load_times = LoadTimes::at(settings.date_and_time);
         let interrupts = Interrupts::new(|number| available(cpu_type, &*engine, number));
         let mut cpu = Self {
             cpu_type,
@@ -168,6 +174,8 @@ impl Cpu {
             torn: false,
             testing: false,
             suspended_test: None,
+            communication: Communication::default(),
+            load_times,
         };
         cpu.load_data_blocks(|_| true);
         cpu

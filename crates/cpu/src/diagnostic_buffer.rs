@@ -5,6 +5,7 @@ use std::collections::VecDeque;
 use sieben_engine::FaultPlace;
 
 use crate::clock::DateAndTime;
+use crate::communication::Requester;
 pub use crate::diagnostic_events::event_text;
 use crate::start_information::StartInformation;
 
@@ -96,6 +97,7 @@ impl DiagnosticEntry {
             }
             0x35A1 | 0x35A2 => format!("event 16#{:04X} while OB {} ran", info_2 >> 16, info_2 & 0xFF),
             0x3842 | 0x3942 | 0x3861..=0x3865 | 0x3961 | 0x38C1..=0x38C6 | 0x39C1..=0x39C6 => format!("address {info_1}"),
+            0x1381 | 0x1383 | 0x1385 | 0x4304 | 0x4307 => format!("asked for by {}", Requester::read(data_id, info_2)?),
             0x4309 | 0x430E if data_id == 1 => "retentive data was damaged".to_owned(),
             0x4309 | 0x430E if data_id == 2 => "retentive data belonged to another program".to_owned(),
             _ => return None,
@@ -108,12 +110,14 @@ impl DiagnosticEntry {
 pub struct DiagnosticBuffer {
     entries: VecDeque<DiagnosticEntry>,
     capacity: usize,
+    /// How many entries there have ever been.
+    number: u64,
 }
 
 impl DiagnosticBuffer {
     /// An empty buffer.
     pub fn new(capacity: u16) -> Self {
-        Self { entries: VecDeque::new(), capacity: usize::from(capacity.max(1)) }
+        Self { entries: VecDeque::new(), capacity: usize::from(capacity.max(1)), number: 0 }
     }
 
     /// The entries, newest first.
@@ -126,6 +130,20 @@ impl DiagnosticBuffer {
         self.entries.front()
     }
 
+    /// The running number of the newest entry: they count from 1, and numbers of forgotten entries do not come again. 0 if there has been none.
+    pub fn newest_number(&self) -> u64 {
+        self.number
+    }
+
+    /// The entries after the one with this number, with their own, oldest first. Asked with the last number that was given, it leaves out none;
+    /// a gap in the numbers says that entries were forgotten meanwhile.
+    pub fn newer_than(&self, number: u64) -> impl Iterator<Item = (u64, &DiagnosticEntry)> {
+        let newer = self.number.saturating_sub(number);
+        let count = usize::try_from(newer).unwrap_or(usize::MAX).min(self.entries.len());
+        let numbered = self.entries.iter().take(count).enumerate();
+        numbered.rev().map(|(index, entry)| (self.number - index as u64, entry))
+    }
+
     /// The whole buffer as text, one line per entry, newest first.
     pub fn text(&self) -> String {
         self.entries.iter().map(|entry| format!("{}  16#{:04X}  {}\n", entry.time.display(), entry.event(), entry.text())).collect()
@@ -134,6 +152,7 @@ impl DiagnosticBuffer {
     pub(crate) fn push(&mut self, entry: DiagnosticEntry) {
         self.entries.truncate(self.capacity - 1);
         self.entries.push_front(entry);
+        self.number += 1;
     }
 }
 
@@ -149,6 +168,31 @@ mod tests {
             buffer.push(DiagnosticEntry { fields, time: DateAndTime::DEFAULT, place: None });
         }
         assert_eq!(buffer.entries().map(DiagnosticEntry::event).collect::<Vec<_>>(), [5, 4, 3]);
+    }
+
+    #[test]
+    fn who_asks_for_new_entries_misses_none_and_sees_what_was_forgotten() {
+        let mut buffer = DiagnosticBuffer::new(3);
+        let mut push = |event| {
+            let fields = StartInformation { event, ..StartInformation::default() };
+            buffer.push(DiagnosticEntry { fields, time: DateAndTime::DEFAULT, place: None });
+            buffer.clone()
+        };
+        let newer = |buffer: &DiagnosticBuffer, number| {
+            buffer.newer_than(number).map(|(number, entry)| (number, entry.event())).collect::<Vec<_>>()
+        };
+        assert_eq!((DiagnosticBuffer::new(3).newest_number(), newer(&DiagnosticBuffer::new(3), 0)), (0, vec![]));
+        push(11);
+        let buffer = push(12);
+        assert_eq!(newer(&buffer, 0), [(1, 11), (2, 12)]);
+        assert_eq!(newer(&buffer, 1), [(2, 12)]);
+        for number in [2, 3, u64::MAX] {
+            assert_eq!(newer(&buffer, number), [], "{number}");
+        }
+        (13..=15).for_each(|event| drop(push(event)));
+        let buffer = push(16);
+        assert_eq!(buffer.newest_number(), 6);
+        assert_eq!(newer(&buffer, 2), [(4, 14), (5, 15), (6, 16)], "the third is forgotten");
     }
 
     #[test]

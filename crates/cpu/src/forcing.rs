@@ -19,7 +19,21 @@ pub struct Forced {
     bit_memory: BTreeMap<u32, Bits>,
 }
 
+/// Whether anything is forced.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Forces {
+    /// Nothing: the light FRCE is off.
+    None,
+    /// Something: the light FRCE is on.
+    Some,
+}
+
 impl Forced {
+    /// Whether anything is forced.
+    pub fn forces(&self) -> Forces {
+        if self.is_empty() { Forces::None } else { Forces::Some }
+    }
+
     /// Whether nothing is forced.
     pub fn is_empty(&self) -> bool {
         self.inputs.is_empty() && self.outputs.is_empty() && self.bit_memory.is_empty()

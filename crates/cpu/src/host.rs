@@ -7,8 +7,10 @@ use sieben_engine::{Engine, Machine, Program};
 use sieben_model::cpu_type::CpuType;
 
 use crate::clock::DateAndTime;
+use crate::communication::Communication;
 use crate::diagnostic_buffer::{DiagnosticBuffer, DiagnosticEntry};
 use crate::failed_statements::FailedStatements;
+use crate::forcing::Forces;
 use crate::interrupts::{Interrupts, Now};
 use crate::io::Rack;
 use crate::organization_blocks as ob;
@@ -198,6 +200,9 @@ pub(crate) struct CpuHost<'a> {
     pub(crate) images: &'a mut Images,
     /// Bytes of the arena that the last system function has written.
     pub(crate) written: Vec<std::ops::Range<usize>>,
+    /// What servers have told.
+    pub(crate) communication: &'a Communication,
+    pub(crate) forces: Forces,
 }
 
 impl CpuHost<'_> {

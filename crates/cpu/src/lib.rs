@@ -6,15 +6,18 @@
 
 mod cpu;
 mod created_data_blocks;
+mod data_block_replacement;
 mod diagnostic_events;
 mod failed_statements;
 mod host;
+mod loaded_blocks;
 mod reactions;
 mod slots;
 mod system_state;
 mod tape;
 
 pub mod clock;
+pub mod communication;
 pub mod cycle;
 pub mod diagnostic_buffer;
 pub mod forcing;
@@ -33,21 +36,25 @@ pub mod station;
 pub mod system;
 pub mod system_status_list;
 
-pub use clock::DateAndTime;
+pub use clock::{ClockRefused, DateAndTime};
+pub use communication::{Communication, ProtectionLevel, Requester};
 pub use cpu::{
     ChangeRefused, Cpu, DataLoss, EndState, Loaded, NotReplayed, RecordedScan, Replayer, ScanReport, Snapshot, StopRequest, TestStep,
 };
 pub use cycle::CycleTimes;
+pub use data_block_replacement::ReplaceRefused;
 pub use diagnostic_buffer::{DiagnosticBuffer, DiagnosticEntry};
 pub use failed_statements::{FailedStatement, FailedStatements};
-pub use forcing::Forced;
+pub use forcing::{Forced, Forces};
 pub use host::BUDGET_MAX;
 pub use interrupts::{Coming, CyclicInterrupt, Interrupt};
 pub use io::{IoModule, Rack, RackError, SimulatedModule};
 pub use items::Moment;
-pub use mode::{OperatingMode, Restart, StopCause};
+pub use loaded_blocks::BlockView;
+pub use mode::{NotInStop, OperatingMode, Restart, StartRefused, StopCause};
 pub use online_change::OnlineChange;
 pub use retain::{RetainImage, RetentiveAreas};
 pub use settings::{ImageErrors, Settings, TimeSource};
 pub use station::{AccessError, Station, TimerReading};
 pub use system_state::Asked;
+pub use system_status_list::{NoList, PartialList};

@@ -53,3 +53,35 @@ impl fmt::Display for OperatingMode {
         })
     }
 }
+
+/// Why a CPU is not started from outside. Nothing has changed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StartRefused {
+    /// It starts or runs already.
+    Running,
+    /// The program is suspended: it goes on, or the CPU goes to STOP first.
+    Held,
+}
+
+impl fmt::Display for StartRefused {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Running => "the CPU is in RUN already",
+            Self::Held => "the CPU is in HOLD: its program goes on, or it goes to STOP before it starts again",
+        })
+    }
+}
+
+impl std::error::Error for StartRefused {}
+
+/// The CPU is not in STOP, where alone this can be done. Nothing has changed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NotInStop(pub OperatingMode);
+
+impl fmt::Display for NotInStop {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "the CPU is in {}; this needs STOP", self.0)
+    }
+}
+
+impl std::error::Error for NotInStop {}

@@ -21,6 +21,8 @@ pub struct OnlineChange {
     pub initial_values: Vec<u16>,
     /// The variables of them, as far as the sources name them: `DB1.motor.speed`.
     pub initial_names: Vec<String>,
+    /// Data blocks that have the values of the second program, or go with it, because that was asked for: nothing of them is a loss.
+    pub new_values: Vec<u16>,
     /// How the values of each data block with another declaration come over.
     moves: Vec<(u16, Vec<Move>)>,
 }
@@ -115,6 +117,11 @@ struct Move {
 impl OnlineChange {
     /// Compares two programs. `created` are data blocks that the first one has made at run time.
     pub fn between(old: &Program, new: &Program, created: &[u16]) -> Self {
+        Self::between_taking(old, new, created, &BTreeSet::new())
+    }
+
+    /// The same where some data blocks are to have the values of the second program, as after a download, and keep none.
+    pub fn between_taking(old: &Program, new: &Program, created: &[u16], new_values: &BTreeSet<u16>) -> Self {
         let mut change = Self::default();
         let ids: BTreeSet<BlockId> = old.code.keys().chain(new.code.keys()).copied().collect();
         for id in ids {
@@ -128,14 +135,30 @@ impl OnlineChange {
         }
         let numbers: BTreeSet<u16> = old.data.keys().chain(new.data.keys()).copied().collect();
         for number in numbers {
-            change.data_block(number, old.data.get(&number), new.data.get(&number), created.contains(&number));
+            let created = created.contains(&number);
+            match new_values.contains(&number) {
+                true => change.taken(number, old.data.get(&number), new.data.get(&number)),
+                false => change.data_block(number, old.data.get(&number), new.data.get(&number), created),
+            }
         }
         change
     }
 
     /// Whether both programs are the same.
     pub fn is_empty(&self) -> bool {
-        self.blocks.is_empty() && self.initial_values.is_empty()
+        self.blocks.is_empty() && self.initial_values.is_empty() && self.new_values.is_empty()
+    }
+
+    /// A data block that keeps no value because that was asked for.
+    fn taken(&mut self, number: u16, old: Option<&DataBlock>, new: Option<&DataBlock>) {
+        let what = match (old, new) {
+            (None, Some(_)) => Some(BlockChange::Added),
+            (Some(_), None) => Some(BlockChange::Removed),
+            (Some(old), Some(new)) => (is_declared_otherwise(old, new) || old.image != new.image).then_some(BlockChange::Changed),
+            (None, None) => None,
+        };
+        self.blocks.extend(what.map(|what| (BlockId::db(number), what)));
+        self.new_values.push(number);
     }
 
     fn data_block(&mut self, number: u16, old: Option<&DataBlock>, new: Option<&DataBlock>, created: bool) {
@@ -159,10 +182,9 @@ impl OnlineChange {
     }
 
     fn both(&mut self, number: u16, old: &DataBlock, new: &DataBlock) {
-        let same_layout = old.image.len() == new.image.len() && same_structure(&old.structure, &new.structure);
-        let attributes = |block: &DataBlock| (block.read_only, block.non_retain, block.unlinked);
+        let same_layout = is_same_layout(old, new);
         let other_values = old.image != new.image && !has_values(new);
-        if !same_layout || attributes(old) != attributes(new) || other_values {
+        if is_declared_otherwise(old, new) || other_values {
             self.blocks.push((BlockId::db(number), BlockChange::Changed));
         }
         if !has_values(old) {
@@ -257,6 +279,15 @@ fn copy_bits(old: &[u8], from: u64, new: &mut [u8], to: u64, bits: u64) {
         let (Some(source), Some(target)) = (old.get((from / 8) as usize), new.get_mut((to / 8) as usize)) else { return };
         *target = *target & !(1 << (to % 8)) | (source >> (from % 8) & 1) << (to % 8);
     }
+}
+
+fn is_same_layout(old: &DataBlock, new: &DataBlock) -> bool {
+    old.image.len() == new.image.len() && same_structure(&old.structure, &new.structure)
+}
+
+fn is_declared_otherwise(old: &DataBlock, new: &DataBlock) -> bool {
+    let attributes = |block: &DataBlock| (block.read_only, block.non_retain, block.unlinked);
+    !is_same_layout(old, new) || attributes(old) != attributes(new)
 }
 
 /// Whether a data block has values that the program writes.

@@ -195,8 +195,7 @@ impl CpuHost<'_> {
         let active = self.class(machine);
         let now = self.now(machine);
         if std::mem::take(&mut self.clock_set) {
-            let again = if self.cpu_type.has_ob88 { Again::No } else { Again::Yes };
-            self.interrupts.clock_set(0x3505, &now, again, &active);
+            self.interrupts.clock_set(0x3505, &now, Again::of(self.cpu_type), &active);
         }
         self.interrupts.gather(&now, machine, &active);
         for alarm in self.rack.take_alarms() {

@@ -6,11 +6,18 @@ use sieben_model::address::Operand;
 use sieben_model::block::BlockId;
 use sieben_model::cpu_type::CpuType;
 use sieben_model::item::Item;
+use sieben_model::program::DataBlock;
 use sieben_model::value::Value;
 
+use crate::clock::{ClockRefused, DateAndTime};
+use crate::communication::{Communication, Requester};
 use crate::cycle::CycleTimes;
+use crate::data_block_replacement::ReplaceRefused;
 use crate::diagnostic_buffer::DiagnosticBuffer;
-use crate::mode::{OperatingMode, Restart, StopCause};
+use crate::forcing::Forced;
+use crate::loaded_blocks::BlockView;
+use crate::mode::{NotInStop, OperatingMode, Restart, StartRefused, StopCause};
+use crate::system_status_list::{NoList, PartialList};
 
 /// Why an operand cannot be read or written from outside.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -91,6 +98,20 @@ pub trait Station {
     /// Gives items values, one after the other at the same cycle control point: an input in its module, a register for the beginning of OB 1
     /// in the next scan, anything else in place. One that cannot be set leaves the others alone.
     fn write_items(&mut self, values: &[(Item, Value)]) -> Vec<Result<(), AccessError>>;
+    /// What is forced.
+    fn forced(&self) -> &Forced;
+    /// Forces an operand to a value (raw bits) from the next cycle control point on, until [`Self::unforce`]; a restart does not end it.
+    ///
+    /// # Errors
+    /// The CPU type does not force this operand, or it lies outside its area.
+    fn force(&mut self, operand: &Operand, value: u32) -> Result<(), AccessError>;
+    /// Ends the forcing of an operand, or of its bits that are forced; `false` if none of it was. It keeps the value until something writes it.
+    ///
+    /// # Errors
+    /// The CPU type does not force this operand, or it lies outside its area.
+    fn unforce(&mut self, operand: &Operand) -> Result<bool, AccessError>;
+    /// Ends all forcing.
+    fn unforce_all(&mut self);
     /// A timer as it stands.
     fn timer(&self, number: u16) -> Option<TimerReading>;
     /// The diagnostic buffer.
@@ -100,7 +121,47 @@ pub trait Station {
     /// How long the cycle takes.
     fn cycle_times(&self) -> CycleTimes;
     /// Sends the CPU to STOP on behalf of a programming device.
-    fn stop(&mut self);
-    /// Starts the CPU on behalf of a programming device.
+    fn stop(&mut self) {
+        self.stop_by(Requester::default());
+    }
+    /// The same; the diagnostic buffer keeps who asked (16#4304). In STOP nothing happens.
+    fn stop_by(&mut self, by: Requester);
+    /// Starts the CPU on behalf of a programming device; one that runs goes to STOP first.
     fn restart(&mut self, restart: Restart) -> OperatingMode;
+    /// Starts the CPU from STOP; the diagnostic buffer keeps who asked (16#1381 and its like). A hot restart where none is possible is a
+    /// warm restart: on an S7-300, after loading and after a memory reset. The startup block runs at the time of the last scan; with a clock of
+    /// its own: [`crate::Cpu::start_with`].
+    ///
+    /// # Errors
+    /// The CPU is not in STOP.
+    fn start(&mut self, restart: Restart, by: Requester) -> Result<OperatingMode, StartRefused>;
+    /// All memory as if the program had just been loaded; the diagnostic buffer, which keeps who asked, the clock and the run-time meters stay.
+    ///
+    /// # Errors
+    /// The CPU is not in STOP.
+    fn memory_reset(&mut self, by: Requester) -> Result<(), NotInStop>;
+    /// The time of day at the last scan.
+    fn clock(&self) -> DateAndTime;
+    /// Sets the time of day that it was at the last scan, as SFC 0 does: time-of-day interrupts that are skipped are a time error.
+    ///
+    /// # Errors
+    /// The clock does not show such a time.
+    fn set_clock(&mut self, wanted: DateAndTime) -> Result<(), ClockRefused>;
+    /// The blocks with statements and the data blocks by kind and number, those too that the program made.
+    fn blocks(&self) -> Vec<BlockId>;
+    /// One of them.
+    fn block(&self, id: BlockId) -> Option<BlockView>;
+    /// Gives a data block of the program these values, and the load memory too: what comes back at a cold restart, a memory reset or, if it is
+    /// NON_RETAIN, a warm restart. Another length, a block that is new or one to delete are an online change.
+    ///
+    /// # Errors
+    /// The values cannot take the place of those that are there.
+    fn replace_data_block(&mut self, block: &DataBlock) -> Result<(), ReplaceRefused>;
+    /// A system status list as SFC 51 reads it; of the diagnostic buffer all entries, also on an S7-300.
+    ///
+    /// # Errors
+    /// There is no such list.
+    fn status_list(&self, id: u16, index: u16) -> Result<PartialList, NoList>;
+    /// Tells what the status lists show of servers: connections, protection, names.
+    fn set_communication(&mut self, communication: Communication);
 }

@@ -21,6 +21,9 @@ pub(crate) struct Class {
     pub(crate) delayed: u16,
 }
 
+/// What a run-time meter counts.
+pub(crate) const HOUR_US: u64 = 3_600_000_000;
+
 /// A run-time meter.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Meter {
@@ -207,6 +210,16 @@ impl State {
     pub(crate) fn class(&mut self, machine: &Machine) -> &mut Class {
         let own = machine.frames.iter().rfind(|frame| frame.begins_class());
         self.classes.entry(own.map_or(0, |frame| frame.block.number)).or_default()
+    }
+
+    /// What the run-time meters show, in hours.
+    pub(crate) fn meter_hours(&self, now_us: u64) -> [u32; 8] {
+        self.meters.map(|meter| u32::try_from(meter.now(now_us) / HOUR_US).unwrap_or(u32::MAX))
+    }
+
+    /// Which run-time meters run, meter 0 in bit 0.
+    pub(crate) fn meters_running(&self) -> u8 {
+        self.meters.iter().enumerate().fold(0, |bits, (index, meter)| bits | u8::from(meter.since_us.is_some()) << index)
     }
 
     /// Start information of the organization block that interrupts others on top of this many frames.

@@ -1,5 +1,6 @@
 //! What the CPU does with what a program asks for.
 
+mod outside;
 mod script;
 
 use std::collections::BTreeMap;

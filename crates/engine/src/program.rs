@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 use sieben_model::address::{Area, Operand, Width};
-use sieben_model::block::BlockId;
+use sieben_model::block::{BlockAttributes, BlockId};
 use sieben_model::interface::Interface;
 use sieben_model::program::DataBlock;
 use sieben_model::source::Span;
@@ -31,6 +31,8 @@ pub struct CodeBlock {
     pub handed: Vec<Range<u32>>,
     /// Whether its language sees to it that it reads of its local data only what has been written since it began.
     pub reads_own_locals: bool,
+    /// How many bytes it has at least on a real CPU, where that is known.
+    pub mc7_bytes: Option<u32>,
 }
 
 impl CodeBlock {
@@ -78,4 +80,6 @@ pub struct Program {
     pub data: BTreeMap<u16, DataBlock>,
     /// What people call its variables, beside their addresses.
     pub names: Names,
+    /// What the headers of its blocks say; nothing of a block without one.
+    pub attributes: BTreeMap<BlockId, BlockAttributes>,
 }

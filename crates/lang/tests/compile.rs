@@ -7,7 +7,7 @@ use std::fmt::Write as _;
 
 use proptest::prelude::*;
 use sieben_lang::{Compiled, Options, compile};
-use sieben_model::block::{BlockId, BlockKind};
+use sieben_model::block::{BlockAttributes, BlockId, BlockKind};
 use sieben_model::interface::{Interface, Section, SystemBlock, Variable};
 use sieben_model::source::{FileId, Sources, Span};
 use sieben_model::symbols::{Symbol, SymbolTable};
@@ -306,4 +306,44 @@ fn types_without_a_byte_are_not_visited_one_by_one() {
         compiled.diagnostics.iter().filter(|found| found.severity() == sieben_model::diagnostic::Severity::Error).collect();
     assert!(errors.is_empty(), "{errors:?}");
     assert_eq!(compiled.program.data[&1].image, [0, 7]);
+}
+
+#[test]
+fn what_headers_say_reaches_the_program() {
+    const STL: &str = "FUNCTION FC 1 : VOID\nTITLE = Dosing of sand\nAUTHOR : 'Meyer'\nFAMILY : Plant\nNAME : DOSE\nVERSION : 2.11\nKNOW_HOW_PROTECT\n\
+         BEGIN\nNETWORK\n L 1;\n T MW 0;\nEND_FUNCTION\n\
+         FUNCTION FC 2 : VOID\nVERSION : new\nBEGIN\nNETWORK\n L 1;\nNETWORK LAD\n    NO I 0.0\n    COIL Q 0.0\nEND_FUNCTION\n\
+         FUNCTION FC 3 : VOID\nBEGIN\nNETWORK FBD\n    NO I 0.0\n    COIL Q 0.0\nNETWORK LAD\n    NO I 0.0\n    COIL Q 0.0\nEND_FUNCTION\n\
+         DATA_BLOCK DB 1\nAUTHOR : Meyer\nVERSION : 1.0\nNON_RETAIN\nSTRUCT a : INT; END_STRUCT;\nBEGIN\nEND_DATA_BLOCK\n";
+    const SCL: &str = "FUNCTION_BLOCK FB7\nTITLE = 'Mixer'\nVERSION : '1.2'\nAUTHOR : Huber\nFAMILY : mix\nNAME : MIX\nKNOW_HOW_PROTECT\n\
+         BEGIN\n;\nEND_FUNCTION_BLOCK\nDATA_BLOCK DB7 FB7\nBEGIN\nEND_DATA_BLOCK\nORGANIZATION_BLOCK OB1\nVAR_TEMP info : ARRAY[0..19] OF BYTE; END_VAR\nBEGIN\nFB7.DB7();\nEND_ORGANIZATION_BLOCK\n";
+    const ST: &str = "PROGRAM Main\nVAR n : INT; END_VAR\nn := n + 1;\nEND_PROGRAM\n";
+    let of = |files: &[(&str, &str)]| {
+        let mut sources = Sources::default();
+        for (name, text) in files {
+            sources.add(*name, *text);
+        }
+        let program = compile(&sources, &SymbolTable::default(), &Options::default()).program;
+        let line = |(id, of): (&BlockId, &BlockAttributes)| {
+            let (major, minor) = of.version;
+            let protected = if of.know_how_protected { " protected" } else { "" };
+            let bytes = program.code.get(id).and_then(|code| code.mc7_bytes).map_or(String::new(), |bytes| format!(" {bytes} bytes"));
+            format!("{id} {:?}/{}/{}/{}/{} {major}.{minor}{protected}{bytes}", of.language, of.title, of.author, of.family, of.name)
+        };
+        program.attributes.iter().map(line).collect::<Vec<_>>()
+    };
+    assert_eq!(
+        of(&[("a.awl", STL), ("b.scl", SCL)]),
+        [
+            "OB 1 Scl//// 0.1",
+            "FC 1 Stl/Dosing of sand/Meyer/Plant/DOSE 2.11 protected 8 bytes",
+            "FC 2 Stl//// 0.1 10 bytes",
+            "FC 3 Fbd//// 0.1 10 bytes",
+            "FB 7 Scl/Mixer/Huber/mix/MIX 1.2 protected",
+            "DB 1 Data//Meyer// 1.0",
+            "DB 7 Data//// 0.1",
+        ]
+    );
+    let made = of(&[("c.st", ST)]);
+    assert_eq!(made[0], "OB 1 St//// 0.1", "{made:?}");
 }

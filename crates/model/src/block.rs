@@ -93,3 +93,63 @@ impl fmt::Display for BlockId {
         }
     }
 }
+
+/// The language that a block was written in.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum BlockLanguage {
+    /// STL, also with a diagram here and there.
+    #[default]
+    Stl,
+    /// All networks are diagrams; the first is a ladder.
+    Lad,
+    /// All networks are diagrams; the first is a function block diagram.
+    Fbd,
+    /// SCL of STEP 7 or TIA Portal.
+    Scl,
+    /// Structured Text of another dialect, or a block that the compiler made for it.
+    St,
+    /// A data block of the sources.
+    Data,
+    /// A data block that the program made at run time.
+    CreatedData,
+}
+
+/// What the header of a block says of it, and its language.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct BlockAttributes {
+    /// TITLE.
+    pub title: String,
+    /// AUTHOR, as it is written; a CPU keeps eight characters.
+    pub author: String,
+    /// FAMILY, the same.
+    pub family: String,
+    /// NAME, the same.
+    pub name: String,
+    /// VERSION; 0.1 where there is none.
+    pub version: (u8, u8),
+    /// KNOW_HOW_PROTECT.
+    pub know_how_protected: bool,
+    /// What it was written in.
+    pub language: BlockLanguage,
+}
+
+impl BlockAttributes {
+    /// Those of a block without a header.
+    pub const fn of(language: BlockLanguage) -> Self {
+        Self {
+            title: String::new(),
+            author: String::new(),
+            family: String::new(),
+            name: String::new(),
+            version: (0, 1),
+            know_how_protected: false,
+            language,
+        }
+    }
+}
+
+impl Default for BlockAttributes {
+    fn default() -> Self {
+        Self::of(BlockLanguage::Stl)
+    }
+}

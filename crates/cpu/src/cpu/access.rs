@@ -2,16 +2,23 @@
 
 use sieben_model::address::{Address, Area, Operand, Width};
 use sieben_model::bcd;
+use sieben_model::block::BlockId;
 use sieben_model::cpu_type::CpuType;
 use sieben_model::item::Item;
+use sieben_model::program::DataBlock;
 use sieben_model::value::Value;
 
 use super::Cpu;
+use crate::clock::{ClockRefused, DateAndTime};
+use crate::communication::{Communication, Requester};
 use crate::cycle::CycleTimes;
+use crate::data_block_replacement::ReplaceRefused;
 use crate::diagnostic_buffer::DiagnosticBuffer;
 use crate::forcing::Forced;
-use crate::mode::{OperatingMode, Restart, StopCause};
+use crate::loaded_blocks::BlockView;
+use crate::mode::{NotInStop, OperatingMode, Restart, StartRefused, StopCause};
 use crate::station::{AccessError, Station, TimerReading};
+use crate::system_status_list::{NoList, PartialList};
 
 impl Station for Cpu {
     fn cpu_type(&self) -> &'static CpuType {
@@ -83,6 +90,22 @@ impl Station for Cpu {
         values.iter().map(|(item, value)| self.set(item, &value.content)).collect()
     }
 
+    fn forced(&self) -> &Forced {
+        Self::forced(self)
+    }
+
+    fn force(&mut self, operand: &Operand, value: u32) -> Result<(), AccessError> {
+        Self::force(self, operand, value)
+    }
+
+    fn unforce(&mut self, operand: &Operand) -> Result<bool, AccessError> {
+        Self::unforce(self, operand)
+    }
+
+    fn unforce_all(&mut self) {
+        Self::unforce_all(self);
+    }
+
     fn timer(&self, number: u16) -> Option<TimerReading> {
         let mut timer = self.machine.timers.get(usize::from(number))?.clone();
         let now = self.machine.clock_us;
@@ -102,12 +125,48 @@ impl Station for Cpu {
         self.cycle.times
     }
 
-    fn stop(&mut self) {
-        self.stop_by(0x4304);
+    fn stop_by(&mut self, by: Requester) {
+        self.stop_for(by);
     }
 
     fn restart(&mut self, restart: Restart) -> OperatingMode {
         Self::restart(self, restart)
+    }
+
+    fn start(&mut self, restart: Restart, by: Requester) -> Result<OperatingMode, StartRefused> {
+        self.start_by(restart, by)
+    }
+
+    fn memory_reset(&mut self, by: Requester) -> Result<(), NotInStop> {
+        self.memory_reset_by(by)
+    }
+
+    fn clock(&self) -> DateAndTime {
+        self.date_and_time()
+    }
+
+    fn set_clock(&mut self, wanted: DateAndTime) -> Result<(), ClockRefused> {
+        self.set_date_and_time(wanted)
+    }
+
+    fn blocks(&self) -> Vec<BlockId> {
+        self.loaded_blocks().all()
+    }
+
+    fn block(&self, id: BlockId) -> Option<BlockView> {
+        self.loaded_blocks().view(id)
+    }
+
+    fn replace_data_block(&mut self, block: &DataBlock) -> Result<(), ReplaceRefused> {
+        self.replace_values(block)
+    }
+
+    fn status_list(&self, id: u16, index: u16) -> Result<PartialList, NoList> {
+        self.system_status().read(id, index)
+    }
+
+    fn set_communication(&mut self, communication: Communication) {
+        self.communication = communication;
     }
 }
 

@@ -62,6 +62,7 @@ impl Cpu {
     /// Sets the time of day that it was when the clock of the CPU began.
     pub fn set_start_of_clock(&mut self, start: DateAndTime) {
         self.settings.date_and_time = start;
+        self.load_times.program = start;
     }
 
     /// When the next timed interrupt comes, in microseconds like the time of a scan; `None` if there is none, or the CPU is not in RUN.

@@ -1,16 +1,18 @@
 //! Another program takes over between two scans, with the data of the first.
 
+use std::collections::BTreeSet;
 use std::fmt;
 use std::sync::Arc;
 
 use sieben_engine::machine::Registers;
 use sieben_engine::{Machine, Program};
 use sieben_model::address::Area;
+use sieben_model::block::BlockId;
 
 use super::{Cpu, Loaded, available};
 use crate::created_data_blocks;
 use crate::mode::OperatingMode;
-use crate::online_change::OnlineChange;
+use crate::online_change::{BlockChange, OnlineChange};
 use crate::process_image::Images;
 
 /// Why a program does not take over. The other one goes on unchanged.
@@ -20,14 +22,17 @@ pub enum ChangeRefused {
     OtherCpuType,
     /// The CPU is in the middle of a scan or startup (HOLD): blocks that run have no place in another program.
     Running,
+    /// A data block was to have the values of the new program, and there is none with this number in either of them.
+    NoDataBlock(u16),
 }
 
 impl fmt::Display for ChangeRefused {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::OtherCpuType => "another CPU type needs a restart",
-            Self::Running => "the CPU is in the middle of a scan",
-        })
+        match self {
+            Self::OtherCpuType => f.write_str("another CPU type needs a restart"),
+            Self::Running => f.write_str("the CPU is in the middle of a scan"),
+            Self::NoDataBlock(number) => write!(f, "no program has the DB{number} whose values are to be taken over"),
+        }
     }
 }
 
@@ -36,9 +41,14 @@ impl std::error::Error for ChangeRefused {}
 impl Cpu {
     /// What would change, and what of the data cannot be kept, if this program took over now. Nothing changes.
     pub fn plan_change(&self, new: &Loaded) -> OnlineChange {
+        self.plan_change_taking(new, &BTreeSet::new())
+    }
+
+    /// The same where these data blocks keep no value: they have those of the new program, as after a download.
+    pub fn plan_change_taking(&self, new: &Loaded, new_values: &BTreeSet<u16>) -> OnlineChange {
         let created: Vec<u16> =
             created_data_blocks::created(&self.machine, &self.system.non_retain).iter().map(|block| block.number).collect();
-        OnlineChange::between(&self.program, &new.program, &created)
+        OnlineChange::between_taking(&self.program, &new.program, &created, new_values)
     }
 
     /// Another program takes over, between two scans. Inputs, outputs, bit memory, timers and counters stay, and with them edges and
@@ -49,13 +59,25 @@ impl Cpu {
     /// # Errors
     /// Why not; then nothing has changed.
     pub fn change_online(&mut self, new: Loaded) -> Result<OnlineChange, ChangeRefused> {
+        self.change_online_taking(new, &BTreeSet::new())
+    }
+
+    /// The same where these data blocks keep no value: they have those of the new program, also in the load memory.
+    ///
+    /// # Errors
+    /// Why not; then nothing has changed.
+    pub fn change_online_taking(&mut self, new: Loaded, new_values: &BTreeSet<u16>) -> Result<OnlineChange, ChangeRefused> {
         if *self.cpu_type != *new.cpu_type {
             return Err(ChangeRefused::OtherCpuType);
         }
         if !matches!(self.mode, OperatingMode::Run | OperatingMode::Stop) || !self.machine.frames.is_empty() {
             return Err(ChangeRefused::Running);
         }
-        let change = self.plan_change(&new);
+        let is_nowhere = |number: &&u16| !self.program.data.contains_key(number) && !new.program.data.contains_key(number);
+        if let Some(&number) = new_values.iter().find(is_nowhere) {
+            return Err(ChangeRefused::NoDataBlock(number));
+        }
+        let change = self.plan_change_taking(&new, new_values);
         let Loaded { program, layout, engine, declarations, image_writes, .. } = new;
         let old_program = std::mem::replace(&mut self.program, program);
         let old = std::mem::replace(&mut self.machine, Machine::new(layout));
@@ -64,6 +86,7 @@ impl Cpu {
         self.images = Images::new(image_writes);
         self.keeper.forget();
         self.forget_other_load_memory(&old_program);
+        self.system.load_memory.retain(|number, _| !new_values.contains(number));
         self.load_data_blocks(|_| true);
         self.take_memory(&old);
         self.take_data(&old, &old_program, &change);
@@ -75,6 +98,16 @@ impl Cpu {
         }
         (self.paused, self.background_began) = (None, false);
         self.warm_demanded |= self.interrupted.take().is_some();
+        let now = self.date_and_time();
+        for &(id, what) in &change.blocks {
+            match what {
+                BlockChange::Added | BlockChange::Changed => self.load_times.later(id, now),
+                BlockChange::Removed => self.load_times.forget(id),
+            }
+        }
+        for &number in change.new_values.iter().filter(|number| self.program.data.contains_key(number)) {
+            self.load_times.later(BlockId::db(number), now);
+        }
         Ok(change)
     }
 

@@ -31,15 +31,8 @@ impl Cpu {
         // What was asked of the CPU before it started is fulfilled by its having been in STOP.
         self.requests.stop.store(false, Ordering::Relaxed);
         self.requests.hold.store(false, Ordering::Relaxed);
-        // Hot restart is a matter of the S7-400, as is OB 88.
-        // It goes on with what was there: after loading and a memory reset there is nothing.
-        let hot = self.cpu_type.has_ob88 && !self.warm_demanded;
-        self.restart = if restart == Restart::Hot && !hot { Restart::Warm } else { restart };
+        self.restart = self.kind_of_start(restart);
         self.warm_demanded = false;
-        let cold = self.cpu_type.starts_cold && self.cpu_type.accumulators == 4;
-        if cold && self.restart == Restart::Warm && self.engine.has_block(ob::startup(Restart::Cold)) {
-            self.restart = Restart::Cold;
-        }
         if self.restart != Restart::Hot {
             self.interrupted = None;
         }
@@ -65,6 +58,19 @@ impl Cpu {
         };
         self.after_startup(outcome);
         self.mode
+    }
+
+    /// The restart that the CPU makes when it is asked for one.
+    pub(super) fn kind_of_start(&self, asked: Restart) -> Restart {
+        // Hot restart is a matter of the S7-400, as is OB 88.
+        // It goes on with what was there: after loading and a memory reset there is nothing.
+        let hot = self.cpu_type.has_ob88 && !self.warm_demanded;
+        let restart = if asked == Restart::Hot && !hot { Restart::Warm } else { asked };
+        let cold = self.cpu_type.starts_cold && self.cpu_type.accumulators == 4;
+        if cold && restart == Restart::Warm && self.engine.has_block(ob::startup(Restart::Cold)) {
+            return Restart::Cold;
+        }
+        restart
     }
 
     /// What a restart clears.

@@ -1,6 +1,7 @@
 //! Retentive data as those who run the CPU meet it: handed out between two scans, taken back before the start, lost or deleted.
 
 use super::Cpu;
+use crate::communication::Requester;
 use crate::interrupts::{Coming, Interrupt};
 use crate::mode::OperatingMode;
 use crate::retain::{self, Adoption, Refusal, Restored, RetainImage, RetentiveAreas};
@@ -102,7 +103,12 @@ impl Cpu {
     /// The diagnostic buffer, the clock and the run-time meters stay.
     pub fn memory_reset(&mut self) {
         self.stop();
-        self.log(StartInformation { event: MEMORY_RESET, ..StartInformation::default() }, None);
+        self.reset_memory(Requester::default());
+    }
+
+    pub(super) fn reset_memory(&mut self, by: Requester) {
+        let (data_id, info_2) = by.fields(0);
+        self.log(StartInformation { event: MEMORY_RESET, data_id, info_2, ..StartInformation::default() }, None);
         self.clear_work_memory();
         self.rack.clear_outputs();
         self.interrupted = None;

@@ -75,6 +75,8 @@ impl Cpu {
                 testing: self.testing,
                 images: &mut self.images,
                 written: Vec::new(),
+                communication: &self.communication,
+                forces: self.forced.forces(),
             };
             if let Go::Enter(entry) = &go {
                 host.system.begin(host.class);

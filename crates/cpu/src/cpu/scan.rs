@@ -124,8 +124,7 @@ impl Cpu {
         self.watchdog.started_us = self.watchdog.started_us.saturating_add(self.now_us - held_at);
         self.log(StartInformation { event: 0x4306, ..self.class }, None);
         self.mode = if held == Held::Startup { OperatingMode::Startup } else { OperatingMode::Run };
-        let again_come = if self.cpu_type.has_ob88 { Again::No } else { Again::Yes };
-        self.interrupts.clock_set(0x3506, &self.now(), again_come, &self.class);
+        self.interrupts.clock_set(0x3506, &self.now(), Again::of(self.cpu_type), &self.class);
         if held == Held::Background {
             // What interrupted OB 90 ends, and OB 90 waits for the next pause.
             self.slice = Some(Slice::Until(0));

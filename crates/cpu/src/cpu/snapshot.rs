@@ -18,6 +18,7 @@ use crate::forcing::Forced;
 use crate::host::{Slice, Watchdog};
 use crate::interrupts::Interrupts;
 use crate::io::RackSnapshot;
+use crate::loaded_blocks::LoadTimes;
 use crate::mode::{OperatingMode, Restart, StopCause};
 use crate::process_image::{Failures, Overrides};
 use crate::settings::Settings;
@@ -159,6 +160,7 @@ state! {
     interrupted: Option<Stack>,
     warm_demanded: bool,
     torn: bool,
+    load_times: LoadTimes,
 }
 
 /// A CPU at one moment: everything but its program, what other threads ask of it and the last image of its retentive data.

@@ -6,6 +6,7 @@ use std::sync::atomic::Ordering;
 use sieben_engine::{FaultPlace, StopReason};
 
 use super::Cpu;
+use crate::communication::Requester;
 use crate::diagnostic_buffer::DiagnosticEntry;
 use crate::host::Requests;
 use crate::mode::{OperatingMode, StopCause};
@@ -45,7 +46,7 @@ pub(super) enum Held {
 impl Cpu {
     /// Sends the CPU to STOP as its mode switch does.
     pub fn stop(&mut self) {
-        self.stop_by(0x4303);
+        self.stop_with(StartInformation { event: 0x4303, ..self.class });
     }
 
     /// A handle that sends the CPU to STOP or HOLD from another thread.
@@ -53,7 +54,13 @@ impl Cpu {
         StopRequest(Arc::clone(&self.requests))
     }
 
-    pub(super) fn stop_by(&mut self, event: u16) {
+    /// The same at a request from outside.
+    pub(super) fn stop_for(&mut self, by: Requester) {
+        let (data_id, info_2) = by.fields(self.class.info_2);
+        self.stop_with(StartInformation { event: 0x4304, data_id, info_2, ..self.class });
+    }
+
+    fn stop_with(&mut self, fields: StartInformation) {
         match self.mode {
             OperatingMode::Stop => return,
             OperatingMode::Hold => {
@@ -61,12 +68,17 @@ impl Cpu {
             }
             OperatingMode::Startup | OperatingMode::Run => {}
         }
-        self.enter_stop(StopReason { event, place: None }, None);
+        self.enter_stop_with(fields, None, None);
     }
 
     pub(super) fn enter_stop(&mut self, reason: StopReason, first: Option<DiagnosticEntry>) {
         let StopReason { event, place } = reason;
-        let entry = self.log(StartInformation { event, ..self.class }, place);
+        self.enter_stop_with(StartInformation { event, ..self.class }, place, first);
+    }
+
+    fn enter_stop_with(&mut self, fields: StartInformation, place: Option<FaultPlace>, first: Option<DiagnosticEntry>) {
+        let event = fields.event;
+        let entry = self.log(fields, place);
         let first_event = first.as_ref().map_or(event, DiagnosticEntry::event);
         let text = match &first {
             Some(first) => format!("{}; {}", first.text(), crate::diagnostic_buffer::event_text(event)),

@@ -1,5 +1,7 @@
 //! Time-of-day interrupts: OB 10 to OB 17, set by SFC 28 and activated by SFC 30.
 
+use sieben_model::cpu_type::CpuType;
+
 use crate::clock::DateAndTime;
 use crate::start_information::StartInformation;
 
@@ -189,6 +191,14 @@ impl TimesOfDay {
 pub(crate) enum Again {
     Yes,
     No,
+}
+
+impl Again {
+    /// On an S7-300 it does, on an S7-400 not.
+    pub(crate) fn of(cpu_type: &CpuType) -> Self {
+        // The families differ in more than OB 88, but nothing else tells them apart.
+        if cpu_type.has_ob88 { Self::No } else { Self::Yes }
+    }
 }
 
 #[cfg(test)]

@@ -9,8 +9,10 @@ use sieben_model::program::DataBlock;
 
 use super::*;
 use crate::clock::DateAndTime;
+use crate::communication::Communication;
 use crate::diagnostic_buffer::DiagnosticBuffer;
 use crate::failed_statements::FailedStatements;
+use crate::forcing::Forces;
 use crate::host::{Requests, Time, Watchdog};
 use crate::interrupts::Interrupts;
 use crate::io::Rack;
@@ -107,6 +109,7 @@ pub(super) fn with_host(cpu_type: &'static CpuType, memory: &[u8], parameters: &
     let mut state = State::default();
     let mut interrupts = Interrupts::new(|number| cpu_type.has_organization_block(number));
     let mut images = Images::new(Arc::default());
+    let communication = Communication::default();
     let mut host = CpuHost {
         cpu_type,
         engine: &*engine,
@@ -128,6 +131,8 @@ pub(super) fn with_host(cpu_type: &'static CpuType, memory: &[u8], parameters: &
         testing: false,
         images: &mut images,
         written: Vec::new(),
+        communication: &communication,
+        forces: Forces::Some,
     };
     check(&mut Call { machine: &mut machine, host: &mut host, first: 0 });
 }

@@ -3,13 +3,13 @@
 use sieben_model::address::Width;
 
 use super::Call;
+pub(super) use crate::system_state::HOUR_US;
 use crate::system_state::Meter;
 
 /// No such meter.
 const BAD_NUMBER: u16 = 0x8080;
 /// Greatest value of a meter.
 pub(super) const HOURS_MAX: u64 = 32_767;
-pub(super) const HOUR_US: u64 = 3_600_000_000;
 
 impl Call<'_, '_> {
     /// The meter that parameter NR, the first one, names; and the CPU clock.

@@ -10,7 +10,6 @@ use crate::mode::OperatingMode;
 use crate::system_status_list::{NoList, SystemStatus};
 
 use super::parameters::{Answer, NO_JOB};
-use super::run_time_meters::HOUR_US;
 use super::{Call, Parameter, Row, Run, input, made, output, ret_val, sfc};
 
 pub(super) const ROW: Row = sfc(51, "RDSYSST", PARAMETERS, Run::Value(run));
@@ -100,7 +99,9 @@ fn status<'c>(call: &'c mut Call<'_, '_>) -> SystemStatus<'c> {
         started: &state.started,
         time: host.date_and_time(),
         clock_status: state.clock.word(),
-        meters: state.meters.map(|meter| u32::try_from(meter.now(now) / HOUR_US).unwrap_or(u32::MAX)),
-        meters_running: state.meters.iter().enumerate().fold(0, |bits, (index, meter)| bits | u8::from(meter.since_us.is_some()) << index),
+        meters: state.meter_hours(now),
+        meters_running: state.meters_running(),
+        communication: host.communication,
+        forces: host.forces,
     }
 }

@@ -1,6 +1,7 @@
-//! Communication, clock and protection: lists 16#0131, 16#0132 and 16#0232. Nobody is connected yet: what counts jobs is 0.
+//! Communication, clock and protection: lists 16#0131, 16#0132 and 16#0232. What counts jobs is 0.
 
 use super::{SystemStatus, record, words};
+use crate::communication::{Communication, ProtectionLevel};
 
 /// Bytes of each record.
 const BYTES: usize = 40;
@@ -35,10 +36,9 @@ pub(super) fn capability(status: &SystemStatus<'_>, index: u16) -> Option<Vec<Ve
 /// List 16#0132: the state of communication.
 pub(super) fn status(status: &SystemStatus<'_>, index: u16) -> Option<Vec<Vec<u8>>> {
     let record = match index {
-        // One connection is kept for a programming device, one for an operator panel.
-        1 => words(BYTES, &[index, 1, 1, 0, 0, 0, 0, of_family(status, CONNECTIONS) - 2, 0, 0]),
+        1 => connections(status),
         2 | 3 | 5 | 6 | 7 | 0xA => words(BYTES, &[index]),
-        4 => protection_levels(),
+        4 => protection_levels(status),
         8 => clock(status),
         9 => words(BYTES, &[index, MPI_ADDRESS]),
         0xB => meters(status, index, 0),
@@ -48,14 +48,25 @@ pub(super) fn status(status: &SystemStatus<'_>, index: u16) -> Option<Vec<Vec<u8
     Some(vec![record])
 }
 
+/// Kept for a programming device and for an operator panel; used by them; two that are configured; free; used by others. What servers take
+/// beyond that of a real CPU is shown, and none is free.
+fn connections(status: &SystemStatus<'_>) -> Vec<u8> {
+    let &Communication { programming_devices, operator_panels, others, .. } = status.communication;
+    let taken = [programming_devices.max(1), operator_panels.max(1), others].into_iter().fold(0, u16::saturating_add);
+    let free = of_family(status, CONNECTIONS).saturating_sub(taken);
+    words(BYTES, &[1, 1, 1, programming_devices, operator_panels, 0, 0, free, others, 0])
+}
+
 /// Level of the mode switch, level of the configuration (0: none), level that holds, the mode switch (1: RUN), startup (2: warm).
-fn protection_levels() -> Vec<u8> {
-    words(BYTES, &[4, 1, 0, 1, 1, 2])
+fn protection_levels(status: &SystemStatus<'_>) -> Vec<u8> {
+    let level = status.communication.protection;
+    let configured = if level == ProtectionLevel::Open { 0 } else { level.number() };
+    words(BYTES, &[4, 1, configured, level.number(), 1, 2])
 }
 
 /// List 16#0232: protection. Index 0 means 4, as some clients ask.
-pub(super) fn protection(_: &SystemStatus<'_>, index: u16) -> Option<Vec<Vec<u8>>> {
-    matches!(index, 0 | 4).then(|| vec![protection_levels()])
+pub(super) fn protection(status: &SystemStatus<'_>, index: u16) -> Option<Vec<Vec<u8>>> {
+    matches!(index, 0 | 4).then(|| vec![protection_levels(status)])
 }
 
 /// Meters that run, 16-bit meters, time of day and what is known about it.

@@ -1,5 +1,7 @@
 //! Who the CPU is: lists 16#xy11, 16#xy12 and 16#xy1C.
 
+use sieben_model::literal::character_byte;
+
 use super::{SystemStatus, record, words};
 
 /// CPU type, order number, name in the module, firmware.
@@ -52,14 +54,24 @@ pub(super) fn features_of_group(status: &SystemStatus<'_>, group: u16) -> Option
     (!features.is_empty()).then_some(features)
 }
 
+/// Characters of the names of system and module, and of the designation of the plant.
+const NAME: usize = 24;
+const DESIGNATION: usize = 32;
+
 /// List 16#xy1C: names and numbers, in the order that clients count on.
 pub(super) fn component(status: &SystemStatus<'_>) -> Vec<Vec<u8>> {
     let (_, name, _) = cpu(status);
     let text = |index: u16, text: &str| record(34, &[&index.to_be_bytes(), text.as_bytes()]);
+    let given = |index: u16, name: &str, otherwise: &str, length: usize| {
+        let name = if name.is_empty() { otherwise } else { name };
+        let bytes: Vec<u8> = name.chars().map(|character| character_byte(character).unwrap_or(b'?')).take(length).collect();
+        record(34, &[&index.to_be_bytes(), &bytes])
+    };
+    let names = status.communication;
     vec![
-        text(1, "Sieben"),
-        text(2, name),
-        text(3, ""),
+        given(1, &names.system_name, "Sieben", NAME),
+        given(2, &names.module_name, name, NAME),
+        given(3, &names.plant_name, "", DESIGNATION),
         text(4, "Soft PLC"),
         text(5, "0"),
         text(7, name),

@@ -8,12 +8,15 @@ mod modules;
 mod operation;
 
 use std::collections::BTreeMap;
+use std::fmt;
 
 use sieben_engine::Program;
 use sieben_model::cpu_type::CpuType;
 
 use crate::clock::DateAndTime;
+use crate::communication::Communication;
 use crate::diagnostic_buffer::DiagnosticBuffer;
+use crate::forcing::Forces;
 use crate::io::Rack;
 use crate::mode::OperatingMode;
 use crate::start_information::StartInformation;
@@ -44,6 +47,10 @@ pub struct SystemStatus<'a> {
     pub meters: [u32; 8],
     /// Which of them run, meter 0 in bit 0.
     pub meters_running: u8,
+    /// What servers have told of connections, protection and names.
+    pub communication: &'a Communication,
+    /// Whether anything is forced.
+    pub forces: Forces,
 }
 
 /// A partial list as it was asked for.
@@ -69,6 +76,17 @@ pub enum NoList {
     /// The list has nothing under this INDEX.
     Index,
 }
+
+impl fmt::Display for NoList {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Id => "the CPU has no status list with this ID",
+            Self::Index => "the status list has nothing under this index",
+        })
+    }
+}
+
+impl std::error::Error for NoList {}
 
 /// How the records of a list are chosen.
 #[derive(Clone, Copy)]
@@ -210,6 +228,8 @@ mod tests {
             clock_status: 0,
             meters: [0; 8],
             meters_running: 0,
+            communication: &Communication::default(),
+            forces: Forces::None,
         });
     }
 

@@ -4,6 +4,7 @@ use sieben_model::block::{BlockId, BlockKind};
 
 use super::{SystemStatus, record};
 use crate::diagnostic_buffer::DiagnosticEntry;
+use crate::forcing::Forces;
 use crate::mode::OperatingMode;
 use crate::start_information::StartInformation;
 
@@ -13,6 +14,7 @@ const LIGHT_SF: u16 = 1;
 const LIGHT_INTF: u16 = 2;
 const LIGHT_RUN: u16 = 4;
 const LIGHT_STOP: u16 = 5;
+const LIGHT_FRCE: u16 = 6;
 /// Blinking with 2 Hz, and with 0.5 Hz.
 const FAST: u8 = 1;
 const SLOW: u8 = 2;
@@ -25,6 +27,7 @@ pub(super) fn lights(status: &SystemStatus<'_>) -> Vec<Vec<u8>> {
     let light = |&number: &u16| {
         let (on, blink) = match (number, mode) {
             (LIGHT_SF | LIGHT_INTF, _) => (error, 0),
+            (LIGHT_FRCE, _) => (status.forces == Forces::Some, 0),
             (LIGHT_RUN, OperatingMode::Run) | (LIGHT_STOP, OperatingMode::Stop) => (true, 0),
             (LIGHT_RUN, OperatingMode::Startup) => (true, FAST),
             (LIGHT_RUN, OperatingMode::Hold) => (true, SLOW),

@@ -5,6 +5,7 @@
 //! ([`check`]) and lowered ([`lower`]). What a step gave is taken again while its syntax is the same (*stamps*) and so is all that it asked
 //! other blocks for (*versions*): a change in one block has that block checked again, and what depends on its interface.
 
+mod attributes;
 mod check;
 mod data_blocks;
 mod declarations;

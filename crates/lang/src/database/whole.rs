@@ -4,11 +4,12 @@ use std::collections::{BTreeMap, HashMap, HashSet};
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::Arc;
 
-use sieben_model::block::BlockId;
+use sieben_model::block::{BlockAttributes, BlockId, BlockLanguage};
 use sieben_model::diagnostic::{Certainty, Diagnostic};
 use sieben_model::problems::Problem;
 use sieben_model::source::Sources;
 
+use super::attributes::attributes;
 use super::check::{Checked, Checking, exists, has_statements};
 use super::declarations::Names;
 use super::headers::Found;
@@ -111,6 +112,7 @@ impl Revision<'_> {
             if self.goal == Goal::Code {
                 memory.lowered.clone_from(&lowered);
             }
+            compiled.program.attributes = attributes(names);
             compiled.take_in(lowered, &checked, bodies);
             compiled.block_names = block_names(&names.found, &names.scope);
             compiled.block_names.extend(names.items.names.iter().map(|(&id, name)| (id, name.clone())));
@@ -178,6 +180,9 @@ impl Compiled {
             self.program.code.insert(id, code);
             let is_mine = !self.is_of_library(id) && !self.tests.blocks.contains(&id);
             self.countable.extend(countable.filter(|_| is_mine).map(|countable| (id, countable)));
+        }
+        for &id in code.keys() {
+            self.program.attributes.entry(id).or_insert(BlockAttributes::of(BlockLanguage::St));
         }
         self.program.code.extend(code);
         self.bodies = checked.iter().filter_map(|(&id, checked)| Some((id, Arc::clone(checked.body.as_ref()?)))).collect();

@@ -15,6 +15,7 @@ use sieben_model::source::Span;
 use super::extension::{Compared, Extension};
 use super::instructions::Instruction;
 use super::operands::{Access, AddressRegister, Location, NumberOperand, Operand};
+use super::size::code_bytes;
 use crate::stl::why::Why;
 
 /// One statement with all names resolved.
@@ -91,6 +92,7 @@ fn lowered(block: &ResolvedBlock, cpu: &CpuType, counted: bool) -> CodeBlock {
         private: Vec::new(),
         handed: Vec::new(),
         reads_own_locals: false,
+        mc7_bytes: u32::try_from(code_bytes(&block.statements)).ok(),
         spans: block.statements.iter().map(Statement::span).chain([end]).collect(),
     }
 }

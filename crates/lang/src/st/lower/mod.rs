@@ -268,6 +268,7 @@ impl<'a> Lowering<'a> {
             private: self.seen.private(),
             handed: self.hidden.all_shown(),
             reads_own_locals: self.body.locals.iter().all(|local| local.initial.is_some()),
+            mc7_bytes: None,
             spans: self.spans,
         }
     }
