@@ -50,20 +50,21 @@ const KINDS: [(&str, Outside); 4] = [
     ("all of them", Outside::ReadersAndStatus),
 ];
 
-fn source(turns: u32) -> String {
+fn source(rounds: u32) -> String {
     format!(
         "DATA_BLOCK DB 1\nSTRUCT a : ARRAY [0..1999] OF INT; END_STRUCT;\nBEGIN\nEND_DATA_BLOCK\n\
-         ORGANIZATION_BLOCK OB 1\nVAR_TEMP info : ARRAY [0..19] OF BYTE; n : INT; END_VAR\nBEGIN\n\
-         OPN DB 1; L {turns};\nnext: T #n; SLD 4; LAR1; L DBW [AR1, P#0.0]; L #n; +I; T DBW [AR1, P#2.0];\n\
+         ORGANIZATION_BLOCK OB 1\nVAR_TEMP info : ARRAY [0..19] OF BYTE; n : INT; round : INT; END_VAR\nBEGIN\n\
+         OPN DB 1; L {rounds};\nouter: T #round; L 100;\nnext: T #n; SLD 4; LAR1; L DBW [AR1, P#0.0]; L #n; +I; T DBW [AR1, P#2.0];\n\
          A M 0.0; XN I 0.1; = M 0.0; L MW 10; L #n; XOW; T MW 10; L #n; LOOP next;\n\
+         L #round; LOOP outer;\n\
          L MW 20; L 1; +I; T MW 20;\nEND_ORGANIZATION_BLOCK\n"
     )
 }
 
-fn cpu(turns: u32) -> Cpu {
+fn cpu(rounds: u32) -> Cpu {
     let cpu_type = &CpuType::ALL[0];
     let mut sources = Sources::default();
-    sources.add("scan.awl", source(turns));
+    sources.add("scan.awl", source(rounds));
     let compiled = compile(&sources, &SymbolTable::default(), &Options { cpu: Some(cpu_type), ..Options::default() });
     assert!(compiled.diagnostics.is_empty(), "{:?}", compiled.diagnostics);
     let settings = Settings { time: TimeSource::Real, watchdog: Duration::from_secs(5), ..Settings::default() };
@@ -104,9 +105,9 @@ impl Surroundings for Around<'_> {
     }
 }
 
-/// Loop turns of a scan of about a millisecond.
-fn turns() -> u32 {
-    let mut cpu = cpu(1_000);
+/// Rounds of a scan of about a millisecond.
+fn rounds() -> u32 {
+    let mut cpu = cpu(100);
     cpu.restart(Restart::Warm);
     for scan in 0..50 {
         cpu.scan(scan);
@@ -115,14 +116,14 @@ fn turns() -> u32 {
     for scan in 50..250 {
         cpu.scan(scan);
     }
-    ((1_000.0 * SCAN_US * 200.0 / (thread_us() - begin)) as u32).clamp(10, 1_990)
+    ((100.0 * SCAN_US * 200.0 / (thread_us() - begin)) as u32).clamp(1, 30_000)
 }
 
 fn main() {
     let seconds = std::env::args().filter_map(|argument| argument.parse::<u64>().ok()).next_back().unwrap_or(240);
     let begin = Instant::now();
     let clock = move || begin.elapsed().as_micros() as u64;
-    let gate = Gate::new(Plant::new(cpu(turns()), Pace::new(Speed::Factor(1.0), CYCLE_US, u64::MAX, clock())), Box::new(clock));
+    let gate = Gate::new(Plant::new(cpu(rounds()), Pace::new(Speed::Factor(1.0), CYCLE_US, u64::MAX, clock())), Box::new(clock));
     let (desk, kind, over) = (Desk::default(), AtomicUsize::new(0), AtomicBool::new(false));
     let wants = |kinds: [Outside; 2]| kinds.contains(&KINDS[kind.load(Ordering::Relaxed)].1);
     let reads = || wants([Outside::Readers, Outside::ReadersAndStatus]);
@@ -165,8 +166,8 @@ fn main() {
             }
         });
         scope.spawn(|| {
-            for turn in 0..(seconds as usize).max(KINDS.len()) {
-                kind.store(turn % KINDS.len(), Ordering::Relaxed);
+            for second in 0..(seconds as usize).max(KINDS.len()) {
+                kind.store(second % KINDS.len(), Ordering::Relaxed);
                 std::thread::sleep(TURN);
             }
             over.store(true, Ordering::Relaxed);
