@@ -11,6 +11,7 @@ pub mod fuzz;
 pub mod mistake;
 pub mod model;
 pub mod operand;
+pub mod pin_types;
 pub mod read;
 pub mod reasons;
 pub mod rules;

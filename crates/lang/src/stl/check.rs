@@ -3,6 +3,7 @@
 mod accumulators;
 mod flow;
 mod logic;
+mod pins;
 mod temporaries;
 mod traps;
 
@@ -27,6 +28,8 @@ use super::lower::{ResolvedBlock, Statement};
 use super::operands::{BlockOperand, Location, NumberOperand, Operand, OperandClass};
 use super::parser::DIAGNOSTICS_MAX;
 use super::resolve::{Known, Resolver};
+use accumulators::Operands;
+use pins::Wired;
 pub use temporaries::TemporaryReads;
 
 /// Brackets that may be open at once.
@@ -52,7 +55,7 @@ pub(crate) fn block(
     let labels = labels(source, &mut diagnostics);
     let mut resolver = Resolver::new(known, id, interface, &labels.targets);
     let mut statements = Vec::with_capacity(source.statements.len() + 1);
-    let mut types = Vec::with_capacity(source.statements.len() + 1);
+    let mut operands = Operands { types: Vec::new(), wired: Vec::new() };
     let mut networks = source.networks.iter().peekable();
     let mut network = 0u32;
     for (index, statement) in source.statements.iter().enumerate() {
@@ -70,7 +73,15 @@ pub(crate) fn block(
             diagnostics.append(&mut resolver.diagnostics);
             return Checked { block: ResolvedBlock { id, interface: interface.clone(), statements }, diagnostics, whole: false };
         }
-        let chosen = choose(known, &mut resolver, statement, mnemonics);
+        let wired = Wired::of(source, network, index);
+        let chosen = choose(known, &mut resolver, statement, wired, mnemonics);
+        // An element may have its operand in several statements.
+        if let [before @ .., last] = resolver.diagnostics.as_slice()
+            && wired.is_some()
+            && before.iter().any(|one| one.span == last.span && one.problem == last.problem && one.message == last.message)
+        {
+            resolver.diagnostics.pop();
+        }
         whole &= chosen.is_some();
         // What the parser could not read is reported; guesses about the rest of that statement would only confuse.
         let next = source.statements.get(index + 1).map_or(source.span.end, |next| next.span.start.max(statement.span.start));
@@ -83,13 +94,15 @@ pub(crate) fn block(
         let origin = origin(source, index, network, statements.last());
         let stated = origin.element().map(|_| stated(known, id, interface, statement));
         statements.push(Statement { instruction, operand, origin, stated });
-        types.push(resolver.declared.take());
+        operands.types.push(resolver.declared.take());
+        operands.wired.push(wired);
     }
     // A label at the end of the block stands before its end.
     if let Some(span) = labels.at_end {
         let origin = Origin::Text { span, network: network.max(1) };
         statements.push(Statement { instruction: Instruction::BlockEnd, operand: Operand::None, origin, stated: None });
-        types.push(None);
+        operands.types.push(None);
+        operands.wired.push(None);
     }
     diagnostics.append(&mut resolver.diagnostics);
     structure(&statements, &labels, &mut diagnostics);
@@ -104,7 +117,7 @@ pub(crate) fn block(
     // What follows paths through the block would guess where a statement is missing.
     if whole {
         temporaries::check(&block, known.temporaries, &mut diagnostics);
-        accumulators::check(&block.statements, &types, known.cpu.accumulators == 4, &mut diagnostics);
+        accumulators::check(&block.statements, &operands, known.cpu.accumulators == 4, &mut diagnostics);
         logic::check(&block, &mut diagnostics);
         traps::check(&block, known.extended, &mut diagnostics);
     }
@@ -198,6 +211,7 @@ fn choose(
     known: &Known<'_>,
     resolver: &mut Resolver<'_>,
     statement: &ast::Statement,
+    wired: Option<Wired>,
     mnemonics: Mnemonics,
 ) -> Option<(Instruction, Operand)> {
     let word = statement.mnemonic.text.as_str();
@@ -228,6 +242,10 @@ fn choose(
         },
         _ => resolver.operand(&statement.operand, place)?,
     };
+    if let Some(diagnostic) = wired.and_then(|wired| wired.misfit(&operand, known.sources.slice(place).trim(), place)) {
+        resolver.diagnostics.push(diagnostic);
+        return None;
+    }
     if let Some(&row) = rows.iter().find(|row| row.operand().accepts(&operand)) {
         return Some((row, operand));
     }
@@ -243,6 +261,10 @@ fn choose(
         classes.retain(|&words| words != OperandClass::None.describe());
     }
     let takes = classes.join("; or ");
+    if let (Some(wired), false) = (wired, operand == Operand::None) {
+        resolver.diagnostics.push(wired.refused(&takes, known.sources.slice(place).trim(), place));
+        return None;
+    }
     let message = match &operand {
         Operand::None => format!("`{word}` needs an operand: {takes}"),
         _ => format!("`{word}` does not take `{}`; it takes {takes}", known.sources.slice(place).trim()),

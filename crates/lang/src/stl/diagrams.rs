@@ -5,6 +5,7 @@ use std::collections::{BTreeSet, HashMap, HashSet};
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockKind;
 use sieben_model::interface::{Interface, Section};
+use sieben_model::literal::Value;
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::source::Span;
 use sieben_model::types::DataType;
@@ -16,7 +17,8 @@ use super::operands::{Access, Call, Location, NumberOperand, Operand};
 use crate::network::flavour::Drawing;
 use crate::network::model::Place;
 use crate::network::operand::{Operand as Written, STATUS_BITS};
-use crate::network::read::{Answer, Class, Mode, Surroundings, carries, draw, reads_before_writing};
+use crate::network::pin_types::{Class, Constant};
+use crate::network::read::{Answer, Mode, Surroundings, carries, draw, reads_before_writing};
 use crate::network::statement::{Parameter, Passing, Statement};
 
 /// Bytes of start information at the beginning of the local data of an organization block.
@@ -296,11 +298,7 @@ impl<'a> Reader<'a> {
                 if local { format!("#{text}") } else { status }
             }
             // Numbers of NOP and BLD that a diagram makes are written nowhere.
-            ast::Operand::Constant(ast::Constant { value: Some(sieben_model::literal::Value::Int(number)), .. })
-                if self.is_made_up(span) =>
-            {
-                number.to_string()
-            }
+            ast::Operand::Constant(ast::Constant { value: Some(Value::Int(number)), .. }) if self.is_made_up(span) => number.to_string(),
             _ => Written::read(&self.slice(span), 0).spaced(),
         }
     }
@@ -357,13 +355,32 @@ fn comment_of(line: &str) -> Option<String> {
 }
 
 /// What an operand is by its meaning.
-fn class(operand: &Operand) -> Class {
+pub(crate) fn class(operand: &Operand) -> Class {
     match operand {
         Operand::Timer(_) => Class::Timer,
         Operand::Counter(_) => Class::Counter,
         Operand::Memory(Access { width, .. }) => bits(*width),
+        Operand::Constant(value) => constant(value).map_or(Class::Unknown, Class::Constant),
         _ => Class::Unknown,
     }
+}
+
+/// What a constant is that is loaded.
+fn constant(value: &Value) -> Option<Constant> {
+    Some(match value {
+        value if value.accumulator() == Some(0) => Constant::Zero,
+        Value::Int(number) if *number < 0 => Constant::NegativeInt,
+        Value::Int(_) => Constant::Int,
+        Value::DoubleInt(_) | Value::Time(_) | Value::TimeOfDay(_) => Constant::DoubleInt,
+        Value::Real(_) => Constant::Real,
+        Value::S5Time(_) => Constant::S5Time,
+        Value::Counter(_) => Constant::Count,
+        Value::Byte(_) => Constant::Bits(8),
+        Value::Word(_) | Value::Date(_) => Constant::Bits(16),
+        Value::DoubleWord(_) | Value::Pointer(_) => Constant::Bits(32),
+        Value::Characters(text) => Constant::Bits(if text.len() > 2 { 32 } else { 16 }),
+        Value::Bool(_) | Value::DateAndTime(_) | Value::DataPointer { .. } | Value::Any(_) | Value::Image(_) => return None,
+    })
 }
 
 /// What an actual parameter is by the type of its parameter.

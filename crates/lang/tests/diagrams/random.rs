@@ -10,6 +10,7 @@ use sieben_lang::network::model::{
     Actual, Branch, Content, Counter, Element, End, Kind, Line, Network, OutputKind, Pin, Place, Rung, Timer, XorInput,
 };
 use sieben_lang::network::operand::Operand;
+use sieben_lang::network::pin_types::PinType;
 use sieben_lang::network::read::{Answer, Mode, draw};
 use sieben_lang::network::rules;
 use sieben_lang::network::statement::Statement;
@@ -161,12 +162,11 @@ impl Maker {
         let circle = fbd && self.random.one_in(4);
         let kind = match self.random.below(14) {
             0 => Kind::Contact { operand: self.random.pick(&["OV", "==0", "BR", "<>0", "UO"]).into(), negated: self.random.one_in(2) },
-            1 | 2 => Kind::Compare {
-                operation: self.random.pick(&COMPARISONS),
-                left: self.random.of_width(16),
-                right: "5".into(),
-                negated: circle,
-            },
+            1 | 2 => {
+                let operation = self.random.pick(&COMPARISONS);
+                let left = self.random.of_width(PinType::of_comparison(operation).bits().unwrap_or(16));
+                Kind::Compare { operation, left, right: "5".into(), negated: circle }
+            }
             3 => Kind::EdgeBox { falling: self.random.one_in(2), operand: self.random.bit(), memory: Some(self.random.memory()) },
             4 | 5 if depth < 3 => {
                 let count = 2 + self.random.below(2);
@@ -232,7 +232,7 @@ impl Maker {
             return Kind::Call { block: "FB 3".into(), instance: Some("DB 6".into()), pins }.at(NOWHERE);
         }
         let row = &BOXES[self.random.below(BOXES.len())];
-        let width = |index: usize| row.widths.get(index).copied().filter(|width| *width != 0).unwrap_or(16);
+        let width = |index: usize| row.types.get(index).and_then(|pin| pin.bits()).unwrap_or(16);
         let inputs = (0..row.inputs.len()).map(|index| self.random.of_width(width(index))).collect();
         let output = self.random.of_width(width(row.inputs.len()));
         Kind::Box { row, inputs, output }.at(NOWHERE)

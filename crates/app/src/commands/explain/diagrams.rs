@@ -32,16 +32,15 @@ fn with_enable(row: &BoxRow) -> String {
         "" => "Copies IN to OUT, also between operands of different widths.".to_owned(),
         instruction => format!("Stands for `{instruction}`: {}", doc(instruction)),
     };
-    let width = |bits: &u8| if *bits == 0 { "any width".to_owned() } else { format!("{bits} bits") };
     let names = row.inputs.iter().copied().chain(["OUT"]);
-    let pins: Vec<String> = names.zip(row.widths).map(|(name, bits)| format!("{name} ({})", width(bits))).collect();
+    let pins: Vec<String> = names.zip(row.types).map(|(name, pin)| format!("{name} ({})", pin.name())).collect();
     let eno = if row.overflows { "0 if the result left its range, or if EN is 0" } else { "as EN" };
     format!("{}, a box of LAD and FBD with EN and ENO\n  {sentence}\n  pins        {}\n  ENO         {eno}\n", row.name, pins.join(", "))
 }
 
 fn timer(kind: TimerKind) -> String {
     format!(
-        "{}, a timer box of LAD and FBD\n  Stands for `{}`: {}\n  pins        S (the line), TV, R, BI, BCD, Q\n",
+        "{}, a timer box of LAD and FBD\n  Stands for `{}`: {}\n  pins        S (the line), TV (S5TIME), R, BI (WORD), BCD (WORD), Q\n",
         kind.box_name(),
         kind.instruction(),
         doc(kind.instruction())
@@ -56,7 +55,7 @@ fn counter(kind: CounterKind) -> String {
     };
     format!(
         "{}, a counter box of LAD and FBD\n  Counts {counts} between 0 and 999; S sets it to PV, R to 0, and Q is 1 unless it is 0.\n  \
-         pins        {pins}, S, PV, R, CV, CV_BCD, Q\n",
+         pins        {pins}, S, PV (WORD), R, CV (WORD), CV_BCD (WORD), Q\n",
         kind.box_name()
     )
 }

@@ -10,6 +10,7 @@ use std::collections::BTreeSet;
 
 use super::boxes::COMPARISONS;
 use super::model::{Content, Network};
+pub use super::pin_types::Class;
 use super::reasons::{Reason, Refusal, Rewrite};
 use super::rules;
 use super::statement::Statement;
@@ -32,19 +33,6 @@ pub trait Surroundings {
     fn begins_fresh(&self) -> bool;
     /// Another network reads this bit of local data before it writes it.
     fn is_read_elsewhere(&self, bit: u32) -> bool;
-}
-
-/// What an operand is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Class {
-    /// A timer.
-    Timer,
-    /// A counter.
-    Counter,
-    /// Something of so many bits.
-    Bits(u8),
-    /// Not known, or a constant that fits any width.
-    Unknown,
 }
 
 /// Whether statements are rewritten where they do not fit.

@@ -8,6 +8,7 @@ use super::{Class, Mode, Surroundings};
 use crate::network::boxes::TimerKind;
 use crate::network::model::{Alone, Content, Element, End, Kind, Line, Network, OutputKind, Place, Rung};
 use crate::network::operand::Operand;
+use crate::network::pin_types::TypedPin;
 use crate::network::reasons::{Reason, Refusal, Rewrite};
 use crate::network::statement::Statement;
 
@@ -330,14 +331,30 @@ impl<'s> Reader<'s> {
                 let Some(next) = self.statement_at(self.at + 1).filter(|next| self.is_coil(2, &next.operand)) else { return Ok(None) };
                 let (name, value) = (next.operand.clone(), operand);
                 return Ok(match (TimerKind::of(next.mnemonic), next.mnemonic) {
-                    (Some(kind), _) => Some((OutputKind::Timer { kind, timer: name, value }, 2)),
-                    (None, "S") => Some((OutputKind::SetCounter { counter: name, value }, 2)),
+                    (Some(kind), _) => {
+                        self.fits(TypedPin::time_of_coil(kind), &value, self.at)?;
+                        Some((OutputKind::Timer { kind, timer: name, value }, 2))
+                    }
+                    (None, "S") => {
+                        self.fits(TypedPin::COUNT_OF_COIL, &value, self.at)?;
+                        Some((OutputKind::SetCounter { counter: name, value }, 2))
+                    }
                     _ => None,
                 });
             }
             _ => return Ok(None),
         };
         Ok(Some((kind, 1)))
+    }
+
+    /// Refuses an operand that a pin does not take, with the statement that has it.
+    pub(super) fn fits(&self, pin: TypedPin, operand: &Operand, at: usize) -> Read<()> {
+        let class = self.class(operand);
+        if pin.takes.takes(class) {
+            return Ok(());
+        }
+        let detail = format!("{} takes {}, and `{operand}` is {}", pin.shown(), pin.takes.describe(), class.describe());
+        Err(Refusal { detail, ..Refusal::new(Reason::Width, self.original(at)) })
     }
 
     /// What an operand is; addresses say it themselves.

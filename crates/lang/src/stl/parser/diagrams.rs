@@ -74,6 +74,9 @@ impl Parser<'_> {
         self.bump_to(SyntaxKind::Diagram, to);
         let under_network = !block.networks.is_empty();
         if form_a::is_form_a(self.slice(from, to), Flavour::S7) {
+            if !under_network {
+                self.unnamed_network(block, drawing, start);
+            }
             let parsed = form_a::parse(self.text, from, to, Flavour::S7);
             let read = if parsed.mistakes.is_empty() { Read::Whole } else { Read::InPart };
             parsed.mistakes.into_iter().for_each(|mistake| self.mistake(mistake, drawing, block));
@@ -84,10 +87,7 @@ impl Parser<'_> {
         let mut first = true;
         for (line_start, line) in one_line_networks(self.text, start, to, under_network) {
             if !first || !under_network {
-                let span = self.span(line_start, line_start);
-                let network =
-                    ast::Network { first_statement: block.statements.len(), drawing: Some(drawing), span, ..ast::Network::default() };
-                block.networks.push(network);
+                self.unnamed_network(block, drawing, line_start);
             }
             first = false;
             match form_b::parse(&line, line_start, Flavour::S7) {
@@ -95,6 +95,17 @@ impl Parser<'_> {
                 Err(mistake) => self.mistake(mistake, drawing, block),
             }
         }
+    }
+
+    /// A network begins without its keyword.
+    fn unnamed_network(&self, block: &mut Block, drawing: Drawing, start: usize) {
+        let span = self.span(start, start);
+        block.networks.push(ast::Network {
+            first_statement: block.statements.len(),
+            drawing: Some(drawing),
+            span,
+            ..ast::Network::default()
+        });
     }
 
     /// Where the lines of a diagram end: before the line that begins another network or ends the block, without the empty lines and comments before it.
@@ -139,9 +150,12 @@ impl Parser<'_> {
         }
         let written = write::write(network, 0, &mut self.generated_labels);
         let mut read = Operands::new();
-        for statement in written.statements {
+        for (statement, pin) in written.statements.into_iter().zip(written.pins) {
             let statement = self.statement_of(&statement, &mut read);
             block.statements.push(statement);
+            if let Some(network) = block.networks.last_mut() {
+                network.pins.push(pin);
+            }
         }
     }
 

@@ -1,0 +1,63 @@
+//! Operands of diagrams that the pins of their elements do not take.
+
+use sieben_model::diagnostic::Diagnostic;
+use sieben_model::problems::Problem;
+use sieben_model::source::Span;
+
+use crate::network::pin_types::{Class, TypedPin};
+use crate::stl::ast;
+use crate::stl::diagrams::class;
+use crate::stl::operands::Operand;
+
+/// A pin of an element, in a network of a block.
+#[derive(Clone, Copy)]
+pub(super) struct Wired {
+    pin: TypedPin,
+    /// `LAD network 2`.
+    drawing: &'static str,
+    network: u32,
+}
+
+impl Wired {
+    /// The pin that the operand of a statement is wired to, if a diagram shows it. Networks are counted from 1.
+    pub(super) fn of(block: &ast::Block, network: u32, statement: usize) -> Option<Self> {
+        let own = block.networks.get(network.checked_sub(1)? as usize)?;
+        let pin = (*own.pins.get(statement.checked_sub(own.first_statement)?)?)?;
+        Some(Self { pin, drawing: own.drawing?.word(), network })
+    }
+
+    /// What is wrong with an operand that the pin does not take.
+    pub(super) fn misfit(self, operand: &Operand, written: &str, place: Span) -> Option<Diagnostic> {
+        let class = class(operand);
+        (!self.pin.takes.takes(class)).then(|| self.diagnostic(class, written, place))
+    }
+
+    /// The instruction that the element stands for takes something else than an operand.
+    pub(super) fn refused(self, takes: &str, written: &str, place: Span) -> Diagnostic {
+        let Self { pin, drawing, network } = self;
+        Diagnostic::new(Problem::P2410, place, format!("{drawing} network {network}: {} takes {takes}, not `{written}`", pin.shown()))
+    }
+
+    /// What is wired to the input is of another type, in words.
+    pub(super) fn holds(self, what: &str) -> String {
+        let Self { pin, drawing, network } = self;
+        format!("{drawing} network {network}: {} takes {}, and what is wired to it is {what}", pin.shown(), pin.takes.describe())
+    }
+
+    /// The output gives another type than the variable has that is wired to it, in words.
+    pub(super) fn gives(self, what: &str) -> String {
+        let Self { pin, drawing, network } = self;
+        format!("{drawing} network {network}: {} gives {what}, and the variable that is wired to it is of another type", pin.shown())
+    }
+
+    fn diagnostic(self, class: Class, written: &str, place: Span) -> Diagnostic {
+        let Self { pin, drawing, network } = self;
+        let (shown, takes) = (pin.shown(), pin.takes.describe());
+        let message = format!("{drawing} network {network}: {shown} takes {takes}, and `{written}` is {}", class.describe());
+        let diagnostic = Diagnostic::new(Problem::P2410, place, message);
+        match pin.help(class, written) {
+            Some(help) => diagnostic.help(help),
+            None => diagnostic,
+        }
+    }
+}
