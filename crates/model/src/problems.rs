@@ -124,6 +124,8 @@ problems! {
     P2408 Error "a diagram that is too large, or nested too deep" "Divide the network into several.";
     P2409 Error "a diagram on one line that is not understood" "A space is AND, `|` in brackets OR, `/` a normally closed contact, and the coils stand after `->`: `(I 0.0 | Q 0.0) /I 0.1 -> = Q 0.0`.";
     P2410 Error "an operand that the pin of an element does not take" "Wire an operand of the type that the message names; MOVE takes any width, and I_DINT, DI_REAL, ROUND and the like convert.";
+    P2411 Warning "a parameter that the called block writes, with logic wired to it" "Wire the operand itself to the pin: `p := =M 0.0` for IN_OUT, `p => M 0.0` for an output.";
+    P2412 Warning "SAVE as the last coil of a rung that another one follows" "Put a coil below SAVE, which ends the line, or SAVE into the last rung of the block.";
     P2440 Error "an element of S7 blocks in a diagram of IEC 61131-3" "Draw what the message names instead.";
     P2441 Error "a coil that nothing is wired to" "Draw what it is to be assigned before it; TRUE is written as a contact.";
     P2442 Error "a body with statements and a diagram" "Write the diagram in a block or an action of its own.";

@@ -25,7 +25,7 @@ use super::diagrams::first_scratch_bit;
 use super::extension;
 use super::instructions::Instruction;
 use super::lower::{ResolvedBlock, Statement};
-use super::operands::{BlockOperand, Location, NumberOperand, Operand, OperandClass};
+use super::operands::{BlockOperand, Location, NumberOperand, Operand, OperandClass, StatusScan};
 use super::parser::DIAGNOSTICS_MAX;
 use super::resolve::{Known, Resolver};
 use accumulators::Operands;
@@ -83,6 +83,9 @@ pub(crate) fn block(
             resolver.diagnostics.pop();
         }
         whole &= chosen.is_some();
+        if let (ast::Operand::Call(call), Some((_, Operand::Call(resolved)))) = (&statement.operand, &chosen) {
+            resolver.diagnostics.extend(pins::lost(source, network, call, resolved));
+        }
         // What the parser could not read is reported; guesses about the rest of that statement would only confuse.
         let next = source.statements.get(index + 1).map_or(source.span.end, |next| next.span.start.max(statement.span.start));
         if resolver.diagnostics.len() > before && reported(Span { end: next, ..statement.span }) {
@@ -356,7 +359,9 @@ fn structure(statements: &[Statement], labels: &Labels, diagnostics: &mut Vec<Di
             Instruction::BlockEnd | Instruction::BlockEndUnconditional | Instruction::BlockEndConditional if !brackets.is_empty() => {
                 report(Problem::P2213, statement.span(), "the block ends inside a bracket".to_owned());
             }
-            Instruction::Call | Instruction::CallUnconditional | Instruction::CallConditional if !brackets.is_empty() => {
+            Instruction::Call | Instruction::CallUnconditional | Instruction::CallConditional
+                if !brackets.is_empty() && !is_in_chain(&statements[index..]) =>
+            {
                 report(Problem::P2214, statement.span(), "a block is called inside a bracket".to_owned());
             }
             _ => {}
@@ -390,6 +395,14 @@ fn structure(statements: &[Statement], labels: &Labels, diagnostics: &mut Vec<Di
             report(Problem::P2206, statement.span(), message.to_owned());
         }
     }
+}
+
+/// A call in a chain of boxes, where the next box hangs on its ENO: so LAD and FBD write it, `A( …; CALL FC 1; A BR; )`.
+fn is_in_chain(from_call: &[Statement]) -> bool {
+    let [call, rest @ ..] = from_call else { return false };
+    let is_enable_output =
+        |one: &Statement| one.instruction == Instruction::And && one.operand == Operand::Status(StatusScan::BinaryResult);
+    call.origin.element().is_some() || (call.instruction == Instruction::Call && rest.first().is_some_and(is_enable_output))
 }
 
 /// Which statements are entries of a jump list.

@@ -1,13 +1,14 @@
 //! Operands of diagrams that the pins of their elements do not take.
 
 use sieben_model::diagnostic::Diagnostic;
+use sieben_model::interface::Section;
 use sieben_model::problems::Problem;
 use sieben_model::source::Span;
 
 use crate::network::pin_types::{Class, TypedPin};
 use crate::stl::ast;
 use crate::stl::diagrams::class;
-use crate::stl::operands::Operand;
+use crate::stl::operands::{Call, Operand};
 
 /// A pin of an element, in a network of a block.
 #[derive(Clone, Copy)]
@@ -16,6 +17,29 @@ pub(super) struct Wired {
     /// `LAD network 2`.
     drawing: &'static str,
     network: u32,
+}
+
+/// Parameters that a called block writes while logic is wired to them: it writes to a bit that nothing reads.
+pub(super) fn lost(block: &ast::Block, network: u32, call: &ast::Call, resolved: &Call) -> Vec<Diagnostic> {
+    let drawing = network.checked_sub(1).and_then(|at| block.networks.get(at as usize)).and_then(|own| own.drawing);
+    let Some(drawing) = drawing else { return Vec::new() };
+    let is_logic = |argument: &&ast::Argument| matches!(argument.value, ast::Operand::Scratch { .. });
+    let written = |argument: &ast::Argument| {
+        let parameter = resolved.parameters.iter().find(|one| one.name.eq_ignore_ascii_case(&argument.name.text))?;
+        let name = &parameter.name;
+        let (section, help) = match parameter.section {
+            Section::InOut => ("IN_OUT", format!("Wire the operand itself to it: `{name} := =M 0.0`.")),
+            Section::Output | Section::Return => ("an output", format!("Wire an operand to it: `{name} => M 0.0`.")),
+            _ => return None,
+        };
+        let message = format!(
+            "{} network {network}: `{name}` of `{}` is {section}, and what the block writes there is lost, because logic is wired to it",
+            drawing.word(),
+            resolved.callee
+        );
+        Some(Diagnostic::new(Problem::P2411, argument.name.span, message).help(help))
+    };
+    call.arguments.iter().filter(is_logic).filter_map(written).collect()
 }
 
 impl Wired {
