@@ -538,7 +538,7 @@ impl Maker {
         if line.is_empty() && matches!(end, End::Branches(_)) {
             line.push(Kind::contact(self.bit(), false).at(Place::default()));
         }
-        Rung { line, end }
+        Rung::new(line, end)
     }
 
     fn output(&mut self) -> Output {

@@ -18,7 +18,7 @@ pub fn outputs(outputs: Vec<Output>) -> End {
     if outputs.len() < 2 || outputs.iter().all(plain) {
         return End::Outputs(outputs);
     }
-    let rung = |output| Rung { line: Line::new(), end: End::Outputs(vec![output]) };
+    let rung = |output| Rung::new(Line::new(), End::Outputs(vec![output]));
     End::Branches(outputs.into_iter().map(rung).collect())
 }
 

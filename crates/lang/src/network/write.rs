@@ -543,11 +543,16 @@ fn first_place(rung: &Rung) -> Option<Place> {
 
 /// The tapped line is read by an element of its own instead of coming from the left.
 pub fn reads_tap(line: &[Element]) -> bool {
-    line.iter().any(|element| match &element.kind {
-        Kind::Tap { .. } => true,
-        Kind::Parallel { branches, .. } => branches.iter().any(|branch| reads_tap(&branch.line)),
-        Kind::Xor { inputs, .. } => inputs.iter().any(|input| reads_tap(&input.line)),
-        Kind::Group { line, .. } => reads_tap(line),
-        _ => false,
+    tap_in(line).is_some()
+}
+
+/// The first element of a line that reads the tapped one.
+pub fn tap_in(line: &[Element]) -> Option<&Element> {
+    line.iter().find_map(|element| match &element.kind {
+        Kind::Tap { .. } => Some(element),
+        Kind::Parallel { branches, .. } => branches.iter().find_map(|branch| tap_in(&branch.line)),
+        Kind::Xor { inputs, .. } => inputs.iter().find_map(|input| tap_in(&input.line)),
+        Kind::Group { line, .. } => tap_in(line),
+        _ => None,
     })
 }

@@ -105,7 +105,7 @@ impl Maker {
             1 if ends_with_box => End::Open,
             _ => self.outputs(),
         };
-        Rung { line, end }
+        Rung::new(line, end)
     }
 
     fn outputs(&mut self) -> End {

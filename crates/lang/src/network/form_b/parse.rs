@@ -157,7 +157,7 @@ impl Parser<'_> {
         let mut line = Line::new();
         loop {
             if self.scan.ended() || self.scan.see(";") || self.scan.see("}") {
-                return Ok(Rung { line, end: End::Open });
+                return Ok(Rung::new(line, End::Open));
             }
             if self.scan.eat("->") {
                 if self.at_output() {
@@ -176,7 +176,7 @@ impl Parser<'_> {
                 loop {
                     rungs.push(self.rung(Left::Tap)?);
                     if self.scan.eat("}") {
-                        return Ok(Rung { line, end: End::Branches(rungs) });
+                        return Ok(Rung::new(line, End::Branches(rungs)));
                     }
                     self.scan.want(";", "`;` or `}` is expected after a branch")?;
                 }
@@ -187,7 +187,7 @@ impl Parser<'_> {
         loop {
             outputs.push(self.output()?);
             if !self.scan.eat(",") {
-                return Ok(Rung { line, end: rules::outputs(outputs) });
+                return Ok(Rung::new(line, rules::outputs(outputs)));
             }
         }
     }

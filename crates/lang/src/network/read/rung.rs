@@ -262,11 +262,12 @@ impl<'s> Reader<'s> {
     /// A rung; that of a T-branch begins with its line.
     fn rung(&mut self, tapped: Tapped) -> Read<Rung> {
         let (line, flow) = self.line(tapped, Inside::Rung)?;
-        let line = if tapped == Tapped::Yes { from_left(line) } else { line };
-        match flow {
-            Flow::Ended => Ok(Rung { line, end: End::Open }),
-            Flow::Goes => self.end(line, tapped),
-        }
+        let (line, tap) = if tapped == Tapped::Yes { from_left(line) } else { (line, Place::default()) };
+        let rung = match flow {
+            Flow::Ended => Rung::new(line, End::Open),
+            Flow::Goes => self.end(line, tapped)?,
+        };
+        Ok(Rung { tap, ..rung })
     }
 
     /// The right end of a rung.
@@ -296,14 +297,14 @@ impl<'s> Reader<'s> {
                 break;
             }
         }
-        if outputs.is_empty() { self.without_output(line) } else { Ok(Rung { line, end: End::Outputs(outputs) }) }
+        if outputs.is_empty() { self.without_output(line) } else { Ok(Rung::new(line, End::Outputs(outputs))) }
     }
 
     fn without_output(&mut self, line: Line) -> Read<Rung> {
         let ends_with_box = line.last().is_some_and(|one| one.kind.is_box());
         match self.peek() {
             ")" => self.here(Reason::Bracket),
-            "" if ends_with_box && self.rewriting() => Ok(Rung { line, end: End::Open }),
+            "" if ends_with_box && self.rewriting() => Ok(Rung::new(line, End::Open)),
             "" => self.before(Reason::Logic),
             "L" | "T" | "CALL" | "UC" => self.here(Reason::Unconditional),
             name if TimerKind::of(name).is_some() => self.here(Reason::Order),
@@ -433,7 +434,7 @@ impl<'s> Reader<'s> {
         if rungs.is_empty() || (bit.is_none() && read_later) {
             return self.refuse(Reason::BitLeft, stored);
         }
-        Ok(Rung { line, end: End::Branches(rungs) })
+        Ok(Rung::new(line, End::Branches(rungs)))
     }
 
     /// Logic and boxes, until an output, an end or the closing bracket.
@@ -468,12 +469,14 @@ impl<'s> Reader<'s> {
     }
 }
 
-/// A line that begins with the tapped one, and reads it nowhere else, has it at its left.
-fn from_left(mut line: Line) -> Line {
-    if let [Element { kind: Kind::Tap { negated: false }, .. }, rest @ ..] = line.as_slice()
-        && !crate::network::write::reads_tap(rest)
-    {
-        line.remove(0);
+/// A line that begins with the tapped one, and reads it nowhere else, has it at its left; and where it reads it there.
+fn from_left(mut line: Line) -> (Line, Place) {
+    match line.as_slice() {
+        [Element { kind: Kind::Tap { negated: false }, place }, rest @ ..] if !crate::network::write::reads_tap(rest) => {
+            let place = *place;
+            line.remove(0);
+            (line, place)
+        }
+        _ => (line, Place::default()),
     }
-    line
 }
