@@ -410,7 +410,7 @@ problems! {
     P9015 Warning "a bit of local data that is stored like that of a T-branch and never read (R-BITLEFT)" "Declare a temporary variable, or use the bit in the same network.";
     P9016 Warning "a tapped line that would run backwards in ladder (R-BACK)" "Draw the network as FBD: `convert --to fbd`.";
     P9017 Warning "an edge, a NOT or a box for a part in the middle of a line of ladder (R-NEG)" "Draw the network as FBD: `convert --to fbd`.";
-    P9018 Warning "an operand of another width than the box takes (R-WIDTH)" "Move it to an operand of the right width first; MOVE takes any.";
+    P9018 Warning "an operand of another width or type than the box takes (R-WIDTH)" "Move it to an operand of the right width first; MOVE takes any.";
     P9019 Warning "a comparison that is jumped over like a box with EN (R-MIX)" "Compare without the jump: a comparison is a contact.";
     P9020 Warning "a network whose diagram means the same but gives other statements" "Use `convert --rewrite` to draw it.";
     P9021 Warning "a network with more elements than a diagram may have (R-SIZE)" "Divide the network into several.";

@@ -59,7 +59,7 @@ pub enum PinType {
     Count,
     /// What a contact reads.
     Contact,
-    /// A bit that is written.
+    /// A bit that is written, or kept from one scan to the next.
     Bit,
     /// A bit, a timer or a counter.
     Resettable,
@@ -242,6 +242,13 @@ impl TypedPin {
             (PinType::Real, Class::Constant(Constant::Int | Constant::NegativeInt)) => {
                 return Some(format!("Write it with a decimal point: `{written}.0`."));
             }
+            (PinType::Contact, Class::Bits(16)) => return Some(format!("Compare it with a number: `CMP <>I {written}, 0`.")),
+            (PinType::Contact, Class::Bits(32)) => return Some(format!("Compare it with a number: `CMP <>D {written}, 0`.")),
+            (PinType::Contact | PinType::Bit | PinType::Resettable, _) => {
+                return Some("Name a bit: `M 10.0`, or a variable of type BOOL. MOVE writes to bytes, words and double words.".to_owned());
+            }
+            (PinType::Timer, _) => return Some("Name a timer: `T 5`.".to_owned()),
+            (PinType::Counter, _) => return Some("Name a counter: `C 5`.".to_owned()),
             (PinType::DoubleInt, Class::Constant(Constant::NegativeInt)) => return Some(format!("Write `L#{written}`.")),
             _ => {}
         }

@@ -75,6 +75,9 @@ pub(crate) fn block(
         }
         let wired = Wired::of(source, network, index);
         let chosen = choose(known, &mut resolver, statement, wired, mnemonics);
+        if let (Some(wired), Some(said)) = (wired, resolver.diagnostics.get_mut(before..)) {
+            said.iter_mut().filter(|one| one.problem == Problem::P4002).for_each(|one| one.message = wired.about(&one.message));
+        }
         // An element may have its operand in several statements.
         if let [before @ .., last] = resolver.diagnostics.as_slice()
             && wired.is_some()

@@ -181,6 +181,7 @@ const DECLARED: &[(&str, &str, &str)] = &[
     ("a : DINT", "ADD_R #a, 1.0 => MD 0", "P4022 `IN1` of `ADD_R` takes a REAL (32 bits), and what is wired to it is a 32-bit integer"),
     ("a : REAL", "ADD_DI L#1, #a => MD 0", "P4022 `IN2` of `ADD_DI` takes a DINT (32 bits), and what is wired to it is a REAL"),
     ("a : REAL", "ROUND #a => MD 0", ""),
+    ("a : STRING[5]", "MOVE #a => MD 0", "P4002 `IN` of `MOVE` cannot have it: `#a` is STRING[5], which does not fit an accumulator; name one of its elements"),
 ];
 
 #[test]

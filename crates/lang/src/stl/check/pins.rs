@@ -62,6 +62,12 @@ impl Wired {
         Diagnostic::new(Problem::P2410, place, format!("{drawing} network {network}: {} takes {takes}, not `{written}`", pin.shown()))
     }
 
+    /// A message about the operand, with the pin that it is wired to.
+    pub(super) fn about(self, message: &str) -> String {
+        let Self { pin, drawing, network } = self;
+        format!("{drawing} network {network}: {} cannot have it: {message}", pin.shown())
+    }
+
     /// What is wired to the input is of another type, in words.
     pub(super) fn holds(self, what: &str) -> String {
         let Self { pin, drawing, network } = self;
