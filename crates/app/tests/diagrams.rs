@@ -257,3 +257,41 @@ fn a_label_that_looks_like_an_address_stays_a_label() {
     let stl = folder.run(&["convert", "x.lad", "--to", "stl"]);
     assert!(stl.stdout.contains("JC    m1;"), "{}", stl.stdout);
 }
+
+#[test]
+fn a_file_with_another_ending_holds_the_same_program() {
+    let bare = "      A     I 0.6;\n      =     Q 4.6;\n";
+    let line = "I 0.0 -> = Q 4.0\n\nI 0.3 -> S M 0.0\n";
+    let form_a = "OR\n    NO  I 0.0\nOR\n    NO  I 0.1\nEND\nCOIL  Q 4.0\n";
+    let mixed = "FUNCTION FC 1 : VOID\nBEGIN\n      A     I 0.7;\n      =     Q 0.7;\nNETWORK\n      L     MW 10;\n      LAR1  ;\nNETWORK FBD\n    I 0.1 -> = Q 4.1\nEND_FUNCTION\nORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n      CALL  FC 1;\nEND_ORGANIZATION_BLOCK\n";
+    let shown = |folder: &Folder, name: &str| {
+        let run = folder.run(&["convert", name, "--to", "stl"]);
+        assert_eq!(run.code, Some(0), "{name}: {}{}", run.stderr, String::from_utf8_lossy(&folder.read(name)));
+        let lines = run.stdout.lines().map(|line| line.split_whitespace().collect::<String>());
+        lines.filter(|line| !line.is_empty() && !line.starts_with("NETWORK")).collect::<Vec<_>>().join("\n")
+    };
+    for (name, source) in [("x.awl", SOURCE), ("x.awl", bare), ("x.awl", mixed), ("x.lad", line), ("x.fbd", line), ("x.lad", form_a)] {
+        let folder = Folder::with(&[(name, source)]);
+        let before = shown(&folder, name);
+        for other in ["y.awl", "y.lad", "y.fbd"] {
+            for to in ["lad", "stl"] {
+                for block in [None, Some("OB 1")] {
+                    let mut arguments = vec!["convert", name, "--to", to, "-o", other];
+                    arguments.extend(block.iter().flat_map(|block| ["--block", block]));
+                    let run = folder.run(&arguments);
+                    assert_eq!(run.code, Some(0), "{arguments:?}: {}", run.stderr);
+                    let written = String::from_utf8_lossy(&folder.read(other)).into_owned();
+                    assert_eq!(shown(&folder, other), before, "{arguments:?}\n{written}");
+                }
+            }
+        }
+    }
+    let folder = Folder::with(&[("x.awl", mixed), ("x.lad", "I 0.0 -> = Q 4.0\n")]);
+    let german = folder.run(&["convert", "--mnemonics", "de", "x.awl", "-o", "y.lad"]);
+    assert_eq!(german.code, Some(0), "{}", german.stderr);
+    let written = String::from_utf8(folder.read("y.lad")).expect("it is UTF-8");
+    assert!(written.contains("BEGIN\nNETWORK STL\n      U     E 0.7;"), "{written}");
+    let structured = folder.run(&["convert", "x.lad", "--to", "fbd", "-o", "y.scl"]);
+    assert_eq!(structured.code, Some(2));
+    assert!(structured.stderr.contains("would be read as Structured Text"), "{}", structured.stderr);
+}

@@ -13,7 +13,7 @@ use super::lower::ResolvedBlock;
 use super::mnemonics::{notation_after, translate_instruction};
 use super::parser::{Parsed, parse_as};
 use super::syntax::SyntaxKind;
-use crate::network::flavour::Drawing;
+use crate::network::flavour::{Drawing, Flavour};
 use crate::network::model::{Network, Place};
 use crate::network::operand::{Operand, STATUS_BITS};
 use crate::network::read::{Answer, Mode};
@@ -357,13 +357,13 @@ impl One<'_> {
     /// Where the diagram of the network stands, from the beginning of its first line.
     fn diagram(&self) -> Option<(usize, usize)> {
         self.network.drawing?;
-        // Of networks on one line each without their keyword the line is all there is.
-        if !self.has_head() {
-            return None;
-        }
         let body = self.network.body;
-        let (from, to) = *self.diagrams.iter().find(|(from, to)| *from <= body.start as usize && body.end as usize <= *to)?;
-        Some((from, to))
+        // The first place after the body, so the one before may hold it.
+        let after = self.diagrams.partition_point(|(from, _)| *from <= body.start as usize);
+        let (from, to) = *self.diagrams.get(after.checked_sub(1)?).filter(|(_, to)| body.end as usize <= *to)?;
+        // Of networks on one line each without their keyword the line is all there is.
+        let whole = self.has_head() || form_a::is_form_a(self.source.text.get(from..to)?, Flavour::S7);
+        whole.then_some((from, to))
     }
 
     /// The statements as they are written in the usual layout.

@@ -76,6 +76,9 @@ impl Parser<'_> {
         if form_a::is_form_a(self.slice(from, to), Flavour::S7) {
             let parsed = form_a::parse(self.text, from, to, Flavour::S7);
             let read = if parsed.mistakes.is_empty() { Read::Whole } else { Read::InPart };
+            if !under_network {
+                self.network_without_head(block, drawing, start);
+            }
             parsed.mistakes.into_iter().for_each(|mistake| self.mistake(mistake, drawing, block));
             self.network_of(block, &parsed.network, drawing, read);
             return;
@@ -84,10 +87,7 @@ impl Parser<'_> {
         let mut first = true;
         for (line_start, line) in one_line_networks(self.text, start, to, under_network) {
             if !first || !under_network {
-                let span = self.span(line_start, line_start);
-                let network =
-                    ast::Network { first_statement: block.statements.len(), drawing: Some(drawing), span, ..ast::Network::default() };
-                block.networks.push(network);
+                self.network_without_head(block, drawing, line_start);
             }
             first = false;
             match form_b::parse(&line, line_start, Flavour::S7) {
@@ -95,6 +95,12 @@ impl Parser<'_> {
                 Err(mistake) => self.mistake(mistake, drawing, block),
             }
         }
+    }
+
+    /// A network that begins with its first line.
+    fn network_without_head(&self, block: &mut Block, drawing: Drawing, start: usize) {
+        let (first_statement, span) = (block.statements.len(), self.span(start, start));
+        block.networks.push(ast::Network { first_statement, drawing: Some(drawing), span, ..ast::Network::default() });
     }
 
     /// Where the lines of a diagram end: before the line that begins another network or ends the block, without the empty lines and comments before it.
