@@ -47,6 +47,11 @@ const LINES: &[(&str, &str, &str)] = &[
         "A I 0.0; CU C 1; BLD 101; A I 0.1; L 3; S C 1; NOP 0; NOP 0; NOP 0; NOP 0",
     ),
     ("|- MOVE(P#M 0.0 BYTE 4 => MD 0)", "|- MOVE(P#M 0.0 BYTE 4 => MD 0)", "L P#M 0.0 BYTE 4; T MD 0; NOP 0"),
+    (
+        "((I 0.0 I 0.1) | (I 0.2 I 0.3) | I 0.4 I 0.5) -> = Q 4.0, SAVE",
+        "or((and(I 0.0, I 0.1)), (and(I 0.2, I 0.3)), and(I 0.4, I 0.5)) -> = Q 4.0, SAVE",
+        "O(; A I 0.0; A I 0.1; ); O(; A I 0.2; A I 0.3; ); O; A I 0.4; A I 0.5; = Q 4.0; SAVE",
+    ),
     ("LABEL m1: |- JMP m2", "LABEL m1: |- JMP m2", "m1: JU m2"),
 ];
 

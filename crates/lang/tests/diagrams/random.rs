@@ -14,7 +14,7 @@ use sieben_lang::network::read::{Answer, Mode, draw};
 use sieben_lang::network::rules;
 use sieben_lang::network::statement::Statement;
 use sieben_lang::network::to_lad::to_lad;
-use sieben_lang::network::write::write;
+use sieben_lang::network::write::{keep_needed_brackets, write};
 
 use crate::statements::{Plain, all_shown};
 
@@ -170,7 +170,9 @@ impl Maker {
             3 => Kind::EdgeBox { falling: self.random.one_in(2), operand: self.random.bit(), memory: Some(self.random.memory()) },
             4 | 5 if depth < 3 => {
                 let count = 2 + self.random.below(2);
-                let branches = (0..count).map(|_| Branch { line: self.line(At::Inside, depth + 1), bracketed: false }).collect();
+                let branch = |maker: &mut Self| Branch { line: maker.line(At::Inside, depth + 1), bracketed: maker.random.one_in(4) };
+                let mut branches: Vec<Branch> = (0..count).map(|_| branch(self)).collect();
+                keep_needed_brackets(&mut branches);
                 Kind::Parallel { branches, negated: circle }
             }
             6 if fbd && depth < 3 => {

@@ -8,7 +8,7 @@ use crate::network::mistake::{Mistake, MistakeKind};
 use crate::network::model::{Alone, Branch, Content, Element, End, Kind, Line, Network, Output, OutputKind, Rung, XorInput};
 use crate::network::operand::{Operand, STATUS_BITS};
 use crate::network::rules;
-use crate::network::write::reads_tap;
+use crate::network::write::{keep_needed_brackets, reads_tap};
 
 /// What is wrong, and at which byte of the text that the line is part of.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -406,7 +406,7 @@ impl Parser<'_> {
     fn parallel(&mut self, from: usize) -> Parsed<Line> {
         let mut branches = Vec::new();
         loop {
-            branches.push(Branch { line: self.branch()?, bracketed: false });
+            branches.push(self.or_branch()?);
             if self.scan.eat(")") {
                 break;
             }
@@ -415,6 +415,7 @@ impl Parser<'_> {
         if let [_] = branches.as_slice() {
             return Ok(branches.pop().map(|branch| branch.line).unwrap_or_default());
         }
+        keep_needed_brackets(&mut branches);
         self.one(Kind::Parallel { branches, negated: false }, from)
     }
 
@@ -427,11 +428,24 @@ impl Parser<'_> {
 
     /// Elements up to a sign that ends a branch, an input or a pin.
     pub(super) fn branch(&mut self) -> Parsed<Line> {
-        let mut line = Line::new();
+        self.parts().map(|(line, _)| line)
+    }
+
+    /// A branch of a parallel. In a bracket of its own it stands in `O( )`, as `OR ( )` of form A does.
+    fn or_branch(&mut self) -> Parsed<Branch> {
+        let bracket = self.scan.see("(") && self.scan.flavour == Flavour::S7;
+        let (line, count) = self.parts()?;
+        Ok(Branch { line, bracketed: bracket && count == 1 })
+    }
+
+    /// The elements of a branch, and of how many parts side by side they are.
+    fn parts(&mut self) -> Parsed<(Line, usize)> {
+        let (mut line, mut count) = (Line::new(), 0);
         loop {
             self.part(&mut line, Left::Nothing)?;
+            count += 1;
             if self.scan.ended() || ["|", ")", ",", "=>", ";", "}"].iter().any(|sign| self.scan.see(sign)) {
-                return Ok(line);
+                return Ok((line, count));
             }
             self.scan.eat("->");
         }
@@ -489,18 +503,18 @@ impl Parser<'_> {
         loop {
             self.scan.space();
             let at = self.scan.at;
-            let line = self.branch()?;
-            inputs.push((line, self.scan.since(at)));
+            let input = self.or_branch()?;
+            inputs.push((input, self.scan.since(at)));
             if self.scan.eat(")") {
                 break;
             }
             self.scan.want(",", "`,` or `)` is expected after an input")?;
         }
-        let line = |(line, _)| line;
         match word {
             "and" => {
                 let mut whole = Line::new();
                 for (index, (input, place)) in inputs.into_iter().enumerate() {
+                    let input = input.line;
                     if index == 0 && left == Left::Line && is_tap(&input) {
                         continue;
                     }
@@ -514,11 +528,12 @@ impl Parser<'_> {
                 Ok(whole)
             }
             "or" => {
-                let branches = inputs.into_iter().map(line).map(|line| Branch { line, bracketed: false }).collect();
+                let mut branches: Vec<Branch> = inputs.into_iter().map(|(branch, _)| branch).collect();
+                keep_needed_brackets(&mut branches);
                 self.one(Kind::Parallel { branches, negated: false }, from)
             }
             _ => {
-                let inputs = inputs.into_iter().map(line).map(|line| XorInput { line, negated: false }).collect();
+                let inputs = inputs.into_iter().map(|(input, _)| XorInput { line: input.line, negated: false }).collect();
                 self.one(Kind::Xor { inputs, negated: false }, from)
             }
         }
