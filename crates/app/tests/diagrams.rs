@@ -230,6 +230,12 @@ const SEEN_FROM_OUTSIDE: &[(&str, &[&str], &str)] = &[
         &["I0.2=1", "MW10=32767"],
         "M30.0",
     ),
+    (
+        "FUNCTION FC 1 : VOID\nBEGIN\nNETWORK\nA I 0.2; JNB m1; L MW 10; L 1; +I; T MW 12; AN OV; SAVE; CLR; m1: A BR;\nEND_FUNCTION\nORGANIZATION_BLOCK OB 1\nBEGIN\nCALL FC 1;\nA BR; = M 30.0;\nEND_ORGANIZATION_BLOCK\n",
+        &["I0.2=1", "MW10=32767"],
+        "M30.0",
+    ),
+    ("NETWORK\nL MW 10; T MW 12; SET; SAVE; CLR; A BR;\nNETWORK\nO I 0.0; = Q 4.0;\n", &["I0.0=0"], "Q4.0"),
 ];
 
 #[test]
