@@ -69,8 +69,8 @@ pub(super) fn lines(text: &str, from: usize, to: usize) -> Vec<TextLine<'_>> {
     out
 }
 
-/// Where the comment of a line begins.
-fn comment_start(content: &str) -> Option<usize> {
+/// Where the comment of a line begins: outside of quotes.
+pub fn comment_start(content: &str) -> Option<usize> {
     let mut quote = None;
     let bytes = content.as_bytes();
     for (at, sign) in content.char_indices() {
