@@ -5,7 +5,6 @@
 use std::collections::HashMap;
 
 use sieben_model::diagnostic::Diagnostic;
-use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
 use sieben_model::source::Span;
 
@@ -16,12 +15,12 @@ use crate::network::form_a;
 use crate::network::form_b;
 use crate::network::mistake::{Mistake, MistakeKind};
 use crate::network::model::{Content, Network};
-use crate::network::operand::{Operand as Written, STATUS_BITS};
+use crate::network::operand::Operand as Written;
 use crate::network::statement::Statement;
 use crate::network::{rules, write};
 use crate::stl::ast::{self, Argument, Block, Call, Constant, Operand, Word};
 use crate::stl::lexer::Raw;
-use crate::stl::mnemonics::{NOTATIONS, translate_instruction, translate_status};
+use crate::stl::mnemonics::{NOTATIONS, instruction_in, status_in};
 use crate::stl::syntax::SyntaxKind;
 
 /// Operands of a diagram that were read, by their first byte.
@@ -163,11 +162,7 @@ impl Parser<'_> {
             None => self.span(statement.place.first as usize, statement.place.last as usize),
         };
         let label = statement.label.as_ref().map(|label| self.label_word(label, span));
-        let word = match self.mnemonics {
-            Mnemonics::English => statement.mnemonic,
-            Mnemonics::German => translate_instruction(statement.mnemonic, Mnemonics::English).unwrap_or(statement.mnemonic),
-        };
-        let mnemonic = Word { text: word.to_owned(), span };
+        let mnemonic = Word { text: instruction_in(statement.mnemonic, self.mnemonics).to_owned(), span };
         let (operand, operand_span) = match statement.mnemonic {
             "CALL" => (self.call_of(statement, span, read), span),
             "JU" | "JC" | "JCN" | "JNB" => {
@@ -224,11 +219,7 @@ impl Parser<'_> {
         if let Ok(number) = text.parse::<i16>() {
             return Operand::Constant(Constant { value: Some(sieben_model::literal::Value::Int(number)), extended: false, span });
         }
-        let text = match self.mnemonics {
-            Mnemonics::German if STATUS_BITS.contains(&text) => translate_status(text, Mnemonics::English).unwrap_or(text),
-            _ => text,
-        };
-        Operand::Name { word: Word { text: text.to_owned(), span }, path: Vec::new() }
+        Operand::Name { word: Word { text: status_in(text, self.mnemonics).to_owned(), span }, path: Vec::new() }
     }
 
     fn call_of(&mut self, statement: &Statement, span: Span, read: &mut Operands) -> Operand {
