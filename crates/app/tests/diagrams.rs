@@ -301,3 +301,31 @@ fn a_file_with_another_ending_holds_the_same_program() {
     assert_eq!(structured.code, Some(2));
     assert!(structured.stderr.contains("would be read as Structured Text"), "{}", structured.stderr);
 }
+
+#[test]
+fn comments_after_networks_on_one_line_are_kept() {
+    let source = "// first\nI 0.0 -> = Q 4.0 // lamp\nI 0.1 -> = Q 4.1\nORGANIZATION_BLOCK OB 35\nBEGIN\nNETWORK\n    I 0.2 // in\n    -> = Q 4.2 // out\nEND_ORGANIZATION_BLOCK\n";
+    let folder = Folder::with(&[("x.lad", source)]);
+    assert_eq!(folder.run(&["check", "x.lad"]).code, Some(0));
+    let formatted = folder.run(&["fmt", "x.lad"]);
+    assert_eq!(formatted.code, Some(0), "{}", formatted.stderr);
+    folder.write("y.lad", &folder.read("x.lad"));
+    for (to, form) in [("lad", "a"), ("fbd", "a"), ("fbd", "b"), ("stl", "a")] {
+        let run = folder.run(&["convert", "y.lad", "--to", to, "--form", form]);
+        assert_eq!(run.code, Some(0), "{}", run.stderr);
+        for comment in ["// first", "// lamp", "// in", "// out"] {
+            assert_eq!(run.stdout.matches(comment).count(), 1, "{to} {form} {comment}: {}", run.stdout);
+        }
+    }
+}
+
+#[test]
+fn statements_in_a_file_of_diagrams_are_named() {
+    for source in ["A I 0.0;\n= Q 4.0;\n", "NETWORK\nm1: L MW 0; // a\nT MW 2;\n", "NETWORK LAD\nA(  ;\nO I 0.0;\n) ;\n= Q 4.0;\n"] {
+        let folder = Folder::with(&[("x.lad", source)]);
+        let run = folder.run(&["check", "x.lad"]);
+        assert_eq!(run.code, Some(3), "{source}");
+        assert!(run.stderr.contains("statements of STL stand here") && run.stderr.contains("NETWORK STL"), "{}", run.stderr);
+        assert!(run.stderr.contains("1 error."), "{}", run.stderr);
+    }
+}

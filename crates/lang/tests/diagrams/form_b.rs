@@ -96,9 +96,26 @@ const WRONG: &[(&str, usize, &str)] = &[
     ("I 0.0 SR(M 0.0)", 6, "`SR` needs its operand in square brackets"),
     ("I 0.0 S_ODT[T 5](R := I 0.1) -> = Q 4.0", 6, "`TV`, the time, of `S_ODT` is not wired"),
     ("I 0.0 S_ODT[T 5](TV := S5T#2S, X := I 0.1)", 31, "a pin of `S_ODT` is expected here"),
-    ("I 0.0 (I 0.1 | I 0.2 -> = Q 4.0", 24, "an operand is missing here"),
+    ("I 0.0 (I 0.1 | I 0.2 -> = Q 4.0", 24, "an output stands inside of a bracket"),
     ("I 0.0 ( -> = Q 4.0", 8, "an operand is missing here"),
-    ("I 0.0 -> = Q 4.0 )", 17, "the network ends before this"),
+    ("I 0.0 -> = Q 4.0 )", 17, "`)` closes nothing"),
+    ("I 0.0) -> = Q 4.0", 5, "`)` closes nothing"),
+    ("(I 0.0 | ) -> = Q 4.0", 9, "an element is expected before `)`"),
+    ("(I 0.0 | I 0.1] -> = Q 4.0", 14, "`(` is closed by `]`"),
+    ("(I 0.0 | ] -> = Q 4.0", 9, "`(` is closed by `]`"),
+    ("I 0.0 -> = Q 4.0 I 0.1", 17, "the network ends before this"),
+    ("I 0.0 -> Q 4.0", 9, "the sign of the output is missing"),
+    ("I 0.0 { -> Q 4.0 ; -> = Q 4.1 }", 11, "the sign of the output is missing"),
+    ("I 0.0 = Q 4.0", 6, "`->` is missing before this output"),
+    ("I 0.0 S Q 4.0", 6, "`->` is missing before this output"),
+    ("I 0.0 SAVE", 6, "`->` is missing before this output"),
+    ("I 0.0 | I 0.1 -> = Q 4.0", 6, "the branches that `|` divides stand in no bracket"),
+    ("I 0.0 & I 0.1 -> = Q 4.0", 6, "`&` is no sign of this form"),
+    ("I 0.0&I 0.1 -> = Q 4.0", 5, "`&` is no sign of this form"),
+    ("I 0.0 -> = Q 4.0;", 16, "`;` divides the branches of a T-branch"),
+    ("I 0.0 { -> = Q 4.0 ; }", 21, "this branch of the T-branch is empty"),
+    ("I 0.0 { ; -> = Q 4.0 }", 8, "this branch of the T-branch is empty"),
+    ("(I 0.0 | ", 9, "the line ends inside of `(`"),
     ("P(M 0.0) -> = Q 4.0", 0, "this acts on the line to its left, and there is none"),
     (". I 0.0 -> = Q 4.0", 0, "`.` stands for the line that a T-branch taps"),
     ("I 0.0 -> JMP m1, = Q 4.0", 9, "nothing may follow this coil"),
@@ -115,6 +132,7 @@ fn what_is_no_diagram_is_said_with_its_place() {
         let Err(wrong) = parse(line, 100, Flavour::S7) else { panic!("{line} is read") };
         assert_eq!(wrong.start, at + 100, "{line}: {wrong:?}");
         assert!(wrong.message.starts_with(message), "{line}: {wrong:?}");
+        assert!(!wrong.message.contains("; "), "what to do is help: {wrong:?}");
     }
 }
 

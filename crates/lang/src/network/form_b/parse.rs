@@ -31,7 +31,7 @@ pub(super) type Parsed<T> = Result<T, Wrong>;
 pub fn parse(text: &str, offset: usize, flavour: Flavour) -> Result<Network, Mistake> {
     let network = syntax(text, offset, flavour).map_err(|wrong| {
         let sign = wrong.at.checked_sub(offset).and_then(|at| text.get(at..)).and_then(|rest| rest.chars().next());
-        Mistake::new(wrong.kind, wrong.at, wrong.at + sign.map_or(0, char::len_utf8), wrong.message)
+        Mistake::told(wrong.kind, wrong.at, wrong.at + sign.map_or(0, char::len_utf8), &wrong.message)
     })?;
     match rules::mistakes(&network, flavour, None).into_iter().next() {
         // What no element names lies at the beginning of the line.
@@ -45,7 +45,7 @@ fn syntax(text: &str, offset: usize, flavour: Flavour) -> Parsed<Network> {
     let mut parser = Parser { scan: Scanner::new(text, offset, flavour) };
     let network = parser.network()?;
     if !parser.scan.ended() {
-        return parser.scan.wrong("the network ends before this");
+        return parser.after_end();
     }
     Ok(network)
 }
@@ -155,11 +155,15 @@ impl Parser<'_> {
 
     fn rung_inside(&mut self, left: Left) -> Parsed<Rung> {
         let mut line = Line::new();
+        let mut arrow = None;
         loop {
-            if self.scan.ended() || self.scan.see(";") || self.scan.see("}") {
+            let inside = left == Left::Tap && (self.scan.see(";") || self.scan.see("}"));
+            if inside || self.scan.ended() {
+                self.not_a_coil(&line, arrow)?;
                 return Ok(Rung { line, end: End::Open });
             }
             if self.scan.eat("->") {
+                arrow = Some(self.scan.at);
                 if self.at_output() {
                     break;
                 }
@@ -174,7 +178,11 @@ impl Parser<'_> {
             if self.scan.eat("{") {
                 let mut rungs = Vec::new();
                 loop {
-                    rungs.push(self.rung(Left::Tap)?);
+                    let rung = self.rung(Left::Tap)?;
+                    if rung == Rung::default() {
+                        return self.scan.wrong("this branch of the T-branch is empty; write a coil or a box into it, or take it away");
+                    }
+                    rungs.push(rung);
                     if self.scan.eat("}") {
                         return Ok(Rung { line, end: End::Branches(rungs) });
                     }
@@ -377,6 +385,9 @@ impl Parser<'_> {
             },
             (name, Some('(' | '[')) if !s7 && !name.is_empty() && self.names_a_box(name) => self.named_box(name, from),
             _ => {
+                if let Some(wrong) = self.no_element() {
+                    return wrong;
+                }
                 let operand = self.scan.operand()?;
                 if s7 && operand.starts_with(|sign: char| sign.is_ascii_digit()) {
                     return self.scan.wrong_at(from, format!("a contact reads a bit, such as `I 0.0`, and `{operand}` is a number"));
@@ -489,7 +500,9 @@ impl Parser<'_> {
         self.scan.space();
         let rest = self.scan.rest();
         let Some(operation) = COMPARISONS.iter().find(|name| rest.starts_with(**name)) else {
-            return self.scan.wrong("a comparison is expected here, such as `>I`, `==D` or `<=R`");
+            return self
+                .scan
+                .wrong("a comparison is expected here, such as `>I`, `==D` or `<=R`; I compares INT, D DINT and R REAL: `[MW 10 >I 100]`");
         };
         self.scan.at += operation.len();
         let right = self.scan.operand()?;

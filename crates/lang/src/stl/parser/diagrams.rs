@@ -5,6 +5,7 @@
 use std::collections::HashMap;
 
 use sieben_model::diagnostic::Diagnostic;
+use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
 use sieben_model::source::Span;
 
@@ -19,6 +20,7 @@ use crate::network::operand::Operand as Written;
 use crate::network::statement::Statement;
 use crate::network::{rules, write};
 use crate::stl::ast::{self, Argument, Block, Call, Constant, Operand, Word};
+use crate::stl::instructions::Instruction;
 use crate::stl::lexer::Raw;
 use crate::stl::mnemonics::{NOTATIONS, instruction_in, status_in};
 use crate::stl::syntax::SyntaxKind;
@@ -72,6 +74,12 @@ impl Parser<'_> {
         let start = self.position;
         self.bump_to(SyntaxKind::Diagram, to);
         let under_network = !block.networks.is_empty();
+        if let Some(length) = statement_of_stl(self.slice(start, to), self.mnemonics) {
+            let message = format!("{} network {}: statements of STL stand here", drawing.word(), block.networks.len().max(1));
+            let help = "begin the network with `NETWORK STL`";
+            self.report(Diagnostic::new(Problem::P2409, self.span(start, start + length), message).help(help));
+            return;
+        }
         if form_a::is_form_a(self.slice(from, to), Flavour::S7) {
             let parsed = form_a::parse(self.text, from, to, Flavour::S7);
             let read = if parsed.mistakes.is_empty() { Read::Whole } else { Read::InPart };
@@ -272,24 +280,31 @@ fn end_of(text: &str, operand: &str) -> usize {
     end
 }
 
+/// The length of the first line, if that is a statement of STL: an instruction and a semicolon at the end, and no T-branch that holds one.
+fn statement_of_stl(diagram: &str, mnemonics: Mnemonics) -> Option<usize> {
+    let code = |line: &str| line[..form_a::comment_start(line).unwrap_or(line.len())].trim_end().len();
+    let first = form_a::written_lines(diagram).map(|line| &line[..code(line)]).find(|line| !line.is_empty())?;
+    let statement = first.split_once(": ").map_or(first, |(_, statement)| statement.trim_start());
+    let word = statement.split(|sign: char| sign.is_whitespace() || sign == ';').next().unwrap_or_default();
+    let is_statement = first.ends_with(';') && !first.contains('{') && Instruction::candidates(word, mnemonics).next().is_some();
+    is_statement.then_some(first.len())
+}
+
 /// The networks of a diagram on one line, each with its first byte: every line is one, or all of them together are.
 fn one_line_networks(text: &str, from: usize, to: usize, together: bool) -> Vec<(usize, String)> {
     let mut networks: Vec<(usize, String)> = Vec::new();
     let mut at = from;
     for line in form_a::written_lines(&text[from..to]) {
-        let content = line.trim_end();
+        let content = line[..form_a::comment_start(line).unwrap_or(line.len())].trim_end();
         let blank = content.len() - content.trim_start().len();
-        let is_comment = content.trim_start().starts_with("//");
         match networks.last_mut() {
             // The lines keep their lengths, so that places stay right.
             Some((start, all)) if together => {
                 let missing = (at - *start) - all.len();
                 all.extend(std::iter::repeat_n(' ', missing));
-                if !is_comment {
-                    all.push_str(content);
-                }
+                all.push_str(content);
             }
-            _ if content.trim().is_empty() || is_comment => {}
+            _ if content.is_empty() => {}
             _ => networks.push((at + blank, content[blank..].to_owned())),
         }
         at += line.len();
