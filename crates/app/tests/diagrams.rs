@@ -329,3 +329,45 @@ fn statements_in_a_file_of_diagrams_are_named() {
         assert!(run.stderr.contains("1 error."), "{}", run.stderr);
     }
 }
+
+#[test]
+fn comments_of_pins_stay_at_their_pins() {
+    let source = "\
+NETWORK LAD
+    NO  I 0.0  // start
+    S_ODT T 5  // delay
+        TV := S5T#2S  // two seconds
+        // resets
+        R:  // at R
+            NO  I 0.7  // stop
+        BI => MW 20  // rest
+    COIL  Q 4.0  // lamp
+NETWORK LAD
+    NO  I 0.1
+    CALL SFC 64
+        RET_VAL => MD 0  // time
+    ADD_I
+        IN1 := MW 0  // summand
+        IN2 := 1
+        OUT => MW 2  // result
+NETWORK LAD
+    NO  I 0.2
+    S_CU C 1
+        S:
+            NO  I 0.3  // set
+        // preset
+        PV := C#5
+        CV => MW 30  // count
+";
+    let folder = Folder::with(&[("x.awl", source)]);
+    let fbd = folder.run(&["convert", "x.awl", "--to", "fbd"]);
+    assert_eq!(fbd.stdout, source.replace("NETWORK LAD", "NETWORK FBD"), "{}", fbd.stderr);
+    folder.write("y.awl", fbd.stdout.as_bytes());
+    assert_eq!(folder.run(&["convert", "y.awl", "--to", "lad"]).stdout, source);
+    let stl = folder.run(&["convert", "x.awl", "--to", "stl"]).stdout;
+    let comments: Vec<&str> = source.lines().filter_map(|line| line.split_once("// ").map(|(_, comment)| comment)).collect();
+    for comment in &comments {
+        assert_eq!(stl.matches(&format!("// {comment}")).count(), 1, "{comment}: {stl}");
+    }
+    assert!(stl.contains("CALL  SFC 64 ("), "{stl}");
+}

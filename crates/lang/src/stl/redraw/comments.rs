@@ -17,13 +17,18 @@ impl Comments {
         Self { all, given: RefCell::default() }
     }
 
-    /// Those of an element: the lines before it, and the one on its line.
-    pub(super) fn of(&self, place: Place) -> (Vec<String>, Option<String>) {
+    /// Those of an element or of one of its pins: the lines before it, and the one on its line.
+    pub(super) fn of(&self, place: Place, pin: Option<&str>) -> (Vec<String>, Option<String>) {
         let (mut before, mut after) = (Vec::new(), None);
         let mut given = self.given.borrow_mut();
         for (index, comment) in self.all.iter().enumerate() {
             let inside = (place.first as usize..=place.last as usize).contains(&comment.statement);
-            if !inside || !given.insert(index) {
+            let same_pin = match (&comment.pin, pin) {
+                (None, None) => true,
+                (Some(own), Some(pin)) => own.eq_ignore_ascii_case(pin),
+                _ => false,
+            };
+            if !inside || !same_pin || !given.insert(index) {
                 continue;
             }
             before.extend(comment.before.iter().cloned());

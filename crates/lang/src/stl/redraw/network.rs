@@ -114,7 +114,7 @@ impl One<'_> {
         let mut texts: Vec<String> = networks
             .iter()
             .map(|network| match form {
-                Form::A => form_a::print(network, drawing, &|place| comments.of(place)),
+                Form::A => form_a::print(network, drawing, &|place, pin| comments.of(place, pin)),
                 Form::B => {
                     let line = form_b::print(network, drawing);
                     if line == "empty network" { String::new() } else { format!("    {line}\n") }
@@ -146,8 +146,8 @@ impl One<'_> {
         for comment in form_a::comments(self.source.text, from, to) {
             let statement = self.statement_at(comment.line).unwrap_or(network.statements.len());
             out.push(match comment.own_line {
-                true => StatementComment { statement, before: vec![comment.text], after: None },
-                false => StatementComment { statement, before: Vec::new(), after: Some(comment.text) },
+                true => StatementComment { statement, before: vec![comment.text], after: None, pin: comment.pin },
+                false => StatementComment { statement, before: Vec::new(), after: Some(comment.text), pin: comment.pin },
             });
         }
         out
