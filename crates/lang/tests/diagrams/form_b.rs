@@ -137,6 +137,19 @@ fn what_is_no_diagram_is_said_with_its_place() {
 }
 
 #[test]
+fn a_sign_that_is_missing_is_said_in_iec_too() {
+    for (line, at, message) in [
+        ("a -> c", 5, "the sign of the output is missing"),
+        ("a S c", 2, "`->` is missing before this output"),
+        ("a & b -> = c", 2, "`&` is no sign of this form"),
+    ] {
+        let Err(wrong) = parse(line, 0, Flavour::Iec) else { panic!("{line} is read") };
+        assert_eq!(wrong.start, at, "{line}: {wrong:?}");
+        assert!(wrong.message.starts_with(message) && wrong.help.is_some(), "{line}: {wrong:?}");
+    }
+}
+
+#[test]
 fn deep_and_long_lines_are_answered() {
     let deep = "(".repeat(100_000);
     let Err(Mistake { start: at, message, .. }) = parse(&deep, 0, Flavour::S7) else { panic!("100,000 brackets are read") };

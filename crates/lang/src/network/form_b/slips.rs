@@ -1,8 +1,8 @@
 //! What stands in a line of form B where no element can stand: which sign it is, and what was probably meant.
 
 use super::parse::{Parsed, Parser};
-use crate::network::flavour::Flavour;
 use crate::network::model::{Element, Kind, Line};
+use crate::network::operand::Operand;
 
 /// Words of coils, which as contacts were read by mistake.
 const COILS: [&str; 6] = ["S", "R", "SAVE", "RET", "JMP", "JMPN"];
@@ -52,9 +52,6 @@ impl Parser<'_> {
 
     /// A coil that was read as contacts, in a rung that has no output: its sign, or the arrow before it, is missing.
     pub(super) fn not_a_coil(&mut self, line: &Line, arrow: Option<usize>) -> Parsed<()> {
-        if self.scan.flavour == Flavour::Iec {
-            return Ok(());
-        }
         let contact = |element: Option<&Element>| match element {
             Some(Element { kind: Kind::Contact { operand, negated: false }, .. }) => Some(operand.clone()),
             _ => None,
@@ -62,7 +59,7 @@ impl Parser<'_> {
         let Some(last) = contact(line.last()) else { return Ok(()) };
         let before = line.len().checked_sub(2).and_then(|index| contact(line.get(index)));
         let coil = [before, Some(last.clone())].into_iter().flatten().find(|operand| COILS.contains(&operand.text.as_str()));
-        let start = |operand: &crate::network::operand::Operand| operand.start.map_or(0, |start| start as usize);
+        let start = |operand: &Operand| operand.start.map_or(0, |start| start as usize);
         match (coil, arrow) {
             (Some(coil), _) => self.scan.wrong_in_text(
                 start(&coil),
