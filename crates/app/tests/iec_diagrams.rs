@@ -794,7 +794,7 @@ fn random_networks_are_the_same_as_text_and_do_what_they_show() {
         let declarations = "VAR\n    b0, b1, b2, b3, b4, b5, b6, b7 : BOOL;\n    n0, n1, n2 : INT;\nEND_VAR\n";
         let (mut form_a, mut form_b) = (format!("PROGRAM Main\n{declarations}{word}\n"), format!("PROGRAM Main\n{declarations}{word}\n"));
         for network in &networks {
-            let text = form_a::print(network, drawing, &|_| (Vec::new(), None));
+            let text = form_a::print(network, drawing, &|_, _| (Vec::new(), None));
             let parsed = form_a::parse(&text, 0, text.len(), Flavour::Iec);
             assert!(parsed.mistakes.is_empty(), "{text}{:?}", parsed.mistakes);
             assert_eq!(&parsed.network, network, "{text}");

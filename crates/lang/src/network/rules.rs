@@ -89,12 +89,7 @@ impl Rules {
 
     /// A mistake; what is to be done follows a semicolon.
     fn report(&mut self, kind: MistakeKind, place: Place, message: impl Into<String>) {
-        let message = message.into();
-        let mistake = |message: &str| Mistake::new(kind, place.first as usize, place.last as usize, message);
-        self.found.push(match message.split_once("; ") {
-            Some((message, help)) => mistake(message).help(help),
-            None => mistake(&message),
-        });
+        self.found.push(Mistake::told(kind, place.first as usize, place.last as usize, &message.into()));
     }
 
     fn rung(&mut self, rung: &Rung, from: Begin) {

@@ -518,8 +518,16 @@ impl Checks {
 
 /// A branch of several elements needs no bracket of its own. Those up to the last one that holds an edge have one, the first one excepted;
 /// so has one with NOT, a midline output or a box, which would act on the branches before it as well.
-pub(super) fn may_stand_bare(branch: &Branch, index: usize, last_edge: Option<usize>) -> bool {
+fn may_stand_bare(branch: &Branch, index: usize, last_edge: Option<usize>) -> bool {
     index == 0 || (last_edge.is_none_or(|last| index > last) && !branch.line.iter().any(|one| one.kind.acts_on_line()))
+}
+
+/// A branch keeps the flag of its bracket only where the bracket would otherwise be left out.
+pub fn keep_needed_brackets(branches: &mut [Branch]) {
+    let last_edge = branches.iter().rposition(|branch| branch.line.iter().any(|one| one.kind.holds_edge()));
+    for (index, branch) in branches.iter_mut().enumerate() {
+        branch.bracketed &= branch.line.len() > 1 && may_stand_bare(branch, index, last_edge);
+    }
 }
 
 fn edge(falling: bool) -> &'static str {

@@ -70,6 +70,8 @@ pub struct StatementComment {
     pub before: Vec<String>,
     /// The comment on its own line.
     pub after: Option<String>,
+    /// The pin that they belong to, if it is one of a box of a diagram.
+    pub pin: Option<String>,
 }
 
 /// The networks of a block. `text` is the whole source, `block` what was read of it, `resolved` the same block after its check.
@@ -334,7 +336,7 @@ impl<'a> Reader<'a> {
             // The lines before the first statement are the comment of the network.
             let before: Vec<String> = if statement == 0 { Vec::new() } else { lines.filter_map(comment_of).collect() };
             if !before.is_empty() {
-                out.push(StatementComment { statement, before, after: None });
+                out.push(StatementComment { statement, before, ..StatementComment::default() });
             }
             end = span.end;
         }

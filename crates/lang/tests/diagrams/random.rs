@@ -15,7 +15,7 @@ use sieben_lang::network::read::{Answer, Mode, draw};
 use sieben_lang::network::rules;
 use sieben_lang::network::statement::Statement;
 use sieben_lang::network::to_lad::to_lad;
-use sieben_lang::network::write::write;
+use sieben_lang::network::write::{keep_needed_brackets, write};
 
 use crate::statements::{Plain, all_shown};
 
@@ -170,7 +170,9 @@ impl Maker {
             3 => Kind::EdgeBox { falling: self.random.one_in(2), operand: self.random.bit(), memory: Some(self.random.memory()) },
             4 | 5 if depth < 3 => {
                 let count = 2 + self.random.below(2);
-                let branches = (0..count).map(|_| Branch { line: self.line(At::Inside, depth + 1), bracketed: false }).collect();
+                let branch = |maker: &mut Self| Branch { line: maker.line(At::Inside, depth + 1), bracketed: maker.random.one_in(4) };
+                let mut branches: Vec<Branch> = (0..count).map(|_| branch(self)).collect();
+                keep_needed_brackets(&mut branches);
                 Kind::Parallel { branches, negated: circle }
             }
             6 if fbd && depth < 3 => {
@@ -264,6 +266,20 @@ proptest! {
         for drawing in [Drawing::Lad, Drawing::Fbd] {
             let Some(network) = made(seed, drawing) else { continue };
             let statements = write(&network, 48, &mut 0).statements;
+            // Without its last statements, or one in the middle, it is another network, or none.
+            let mut random = Random(seed | 1);
+            for _ in 0..2 {
+                let mut cut = statements.clone();
+                match random.one_in(2) {
+                    true => cut.truncate(random.below(statements.len())),
+                    false => drop(cut.remove(random.below(statements.len()))),
+                }
+                for mode in [Mode::Strict, Mode::Rewriting, Mode::RewritingConstants] {
+                    if let Answer::Equivalent(reading, _) = draw(&cut, &Plain, 48, mode) {
+                        prop_assert!(!reading.rewrites.is_empty(), "{}", all_shown(&cut));
+                    }
+                }
+            }
             match draw(&statements, &Plain, 48, Mode::Strict) {
                 Answer::Exact(again) => prop_assert_eq!(&again, &network, "{}\n{}", print(&network, drawing), all_shown(&statements)),
                 other => prop_assert!(false, "{}\n{}\n{:?}", print(&network, drawing), all_shown(&statements), other),
@@ -283,7 +299,10 @@ proptest! {
         for mode in [Mode::Strict, Mode::Rewriting, Mode::RewritingConstants] {
             let networks = match draw(&statements, &Plain, 800, mode) {
                 Answer::Exact(network) => vec![network],
-                Answer::Equivalent(reading, _) => reading.networks,
+                Answer::Equivalent(reading, _) => {
+                    prop_assert!(!reading.rewrites.is_empty(), "{}", all_shown(&statements));
+                    reading.networks
+                }
                 Answer::No(_) => continue,
             };
             let written: Vec<Statement> = networks.iter().flat_map(|network| write(network, 800, &mut 0).statements).collect();

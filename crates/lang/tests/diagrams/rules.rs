@@ -73,6 +73,12 @@ fn each_rewrite_makes_a_diagram_and_says_what_stood_in_the_way() {
 /// Statements, and why they stay STL even with rewrites.
 const REFUSALS: &[(&str, &str)] = &[
     ("A I0.0; A I0.1", "R-LOGIC 2"),
+    // The ENO or Q of the last box is checked, and nothing is made of it: the end of the box cannot be open then.
+    ("A I0.0; JNB _001; L MW0; L MW2; +I; T MW4; AN OV; SAVE; CLR; _001: A BR", "R-LOGIC 10"),
+    ("L MW0; T MW2; SET; SAVE; CLR; A BR", "R-LOGIC 6"),
+    ("CALL FC1; A BR", "R-LOGIC 2"),
+    ("A I0.0; L S5T#5S; SD T1; NOP 0; NOP 0; NOP 0; A T1", "R-LOGIC 7"),
+    ("A I0.0; S M0.0; A I0.1; R M0.0; A M0.0", "R-LOGIC 5"),
     ("L MW0; JZ m1", "R-JUMP 2"),
     ("A I0.0; JC m1; A I0.1; JNB m1; L 1; T MW0; m1: NOP 0", "R-JUMP 2"),
     ("A I0.0; m1: A I0.1; = Q4.0", "R-LABEL 2"),

@@ -1,14 +1,20 @@
 //! `sieben explain NO`: elements of diagrams, why a network is not drawn (`R-TWO`), and what is rewritten (`W3`).
 
-use sieben_lang::network::boxes::{BoxRow, CounterKind, TimerKind};
+use sieben_lang::network::boxes::{BoxRow, COMPARISONS, CounterKind, TimerKind};
 use sieben_lang::network::elements::ElementRow;
 use sieben_lang::network::reasons::{Reason, Rewrite};
 use sieben_lang::stl::instructions::Instruction;
 use sieben_model::problems::Problem;
 
+/// The code of comments between statements, which are no reason to leave a network as it is.
+const COMMENTS: &str = "R-TEXT";
+
 /// An element by its word in form A, which is also the name of a box.
 pub(super) fn element(word: &str) -> Option<String> {
     let word = word.to_ascii_uppercase();
+    if let Some(comparison) = word.strip_prefix("CMP ") {
+        return compare(comparison.trim());
+    }
     let plain = ElementRow::of(&word).map(plain);
     let boxed = BoxRow::of_name(&word).map(with_enable);
     let timer = TimerKind::ALL.iter().find(|row| row.2 == word).map(|row| timer(row.0));
@@ -20,6 +26,21 @@ fn plain(row: &ElementRow) -> String {
     let drawn = if row.sign.is_empty() { String::new() } else { format!("  drawn       {}\n", row.sign) };
     let statements = if row.statements.is_empty() { String::new() } else { format!("  statements  {}\n", row.statements) };
     format!("{}, an element of LAD and FBD\n  {}\n{drawn}{statements}", row.word, row.sentence)
+}
+
+/// `CMP >I`: the element, and what its comparison does.
+fn compare(comparison: &str) -> Option<String> {
+    let operation = COMPARISONS.iter().find(|known| **known == comparison)?;
+    let (sign, kind) = operation.split_at(operation.len() - 1);
+    let numbers = match kind {
+        "I" => "INT (16 bits)",
+        "D" => "DINT (32 bits)",
+        _ => "REAL",
+    };
+    Some(format!(
+        "CMP {operation}, a comparison of LAD and FBD\n  The line goes on if a {sign} b. It is a contact and has no EN.\n  \
+         operands    two of {numbers}: `CMP {operation} a, b`, on one line `[a {operation} b]`\n  statements  L a; L b; {operation}\n",
+    ))
 }
 
 /// What an instruction does, from its row.
@@ -66,8 +87,15 @@ pub(super) fn reason(word: &str) -> Option<Problem> {
     Problem::from_code(&format!("P{}", reason.problem()))
 }
 
-/// `W3`: what a rewrite changes.
+/// `W3`: what a rewrite changes; also what becomes of comments between statements.
 pub(super) fn rewrite(word: &str) -> Option<String> {
+    if word.eq_ignore_ascii_case(COMMENTS) {
+        return Some(format!(
+            "{COMMENTS}, comments between the statements of a network\n  \
+             They are no reason to leave a network as it is: `sieben convert` keeps each with the element of its statement.\n  \
+             STEP 7 has no place for them in LAD and FBD, and may drop or move them.\n"
+        ));
+    }
     let rewrite = Rewrite::ALL.iter().find(|rewrite| rewrite.code().eq_ignore_ascii_case(word))?;
     let other = "  A rewrite keeps what the network does; `sieben convert --to lad --rewrite` applies it.\n";
     Some(format!("{}, a rewrite of networks that are drawn\n  {}\n{other}", rewrite.code(), rewrite.sentence()))
@@ -78,7 +106,7 @@ pub(super) fn words() -> impl Iterator<Item = &'static str> {
     let elements = sieben_lang::network::elements::ELEMENTS.iter().map(|row| row.word);
     let boxes = sieben_lang::network::boxes::BOXES.iter().map(|row| row.name);
     let codes = Reason::ALL.iter().map(|reason| reason.code()).chain(Rewrite::ALL.iter().map(|rewrite| rewrite.code()));
-    elements.chain(boxes).chain(codes)
+    elements.chain(boxes).chain(codes).chain([COMMENTS])
 }
 
 #[cfg(test)]

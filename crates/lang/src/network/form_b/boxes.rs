@@ -97,7 +97,10 @@ impl Parser<'_> {
                 };
                 let Some(slot) = index.and_then(|index| inputs.get_mut(index)) else {
                     let pins = row.inputs.join("`, `");
-                    return self.scan.wrong_at(pin.from, format!("`{}` has no such input; its pins are `{pins}` and `OUT`", row.name));
+                    return self.scan.wrong_at(
+                        pin.from,
+                        format!("`{}` has no such input; its pins are `{pins}` and `OUT`, and what is written stands after `=>`", row.name),
+                    );
                 };
                 if slot.replace(operand).is_some() {
                     return self.scan.wrong_at(pin.from, format!("this input of `{}` is wired twice", row.name));

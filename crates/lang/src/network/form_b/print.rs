@@ -142,7 +142,11 @@ impl Printer {
             Drawing::Lad => ("(", " | "),
             Drawing::Fbd => ("or(", ", "),
         };
-        format!("{open}{})", joined(branches, |branch| self.inside(&branch.line), between))
+        let branch = |branch: &Branch| {
+            let line = self.inside(&branch.line);
+            if branch.bracketed { format!("({line})") } else { line }
+        };
+        format!("{open}{})", joined(branches, branch, between))
     }
 
     fn group(&self, line: &[Element], negated: bool) -> String {

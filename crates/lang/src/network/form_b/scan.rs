@@ -49,6 +49,38 @@ impl<'t> Scanner<'t> {
         Err(Wrong { at: self.offset + at, message: message.into(), kind: MistakeKind::Line })
     }
 
+    /// A message at a byte of the text that the line is part of.
+    pub(super) fn wrong_in_text<T>(&self, at: usize, message: impl Into<String>) -> Parsed<T> {
+        self.wrong_at(at.saturating_sub(self.offset), message)
+    }
+
+    /// The operand is the first thing from a byte of the line on.
+    pub(super) fn begins_at(&self, operand: &Operand, at: usize) -> bool {
+        let rest = self.text.get(at..).unwrap_or_default();
+        operand.start.map(|start| start as usize) == Some(self.offset + self.text.len() - rest.trim_start().len())
+    }
+
+    /// The sign is the last thing that was read.
+    pub(super) fn follows(&self, sign: &str) -> bool {
+        self.text.get(..self.at).unwrap_or_default().trim_end().ends_with(sign)
+    }
+
+    /// The innermost bracket that is open here.
+    pub(super) fn open_bracket(&self) -> Option<char> {
+        let (mut open, mut quote) = (Vec::new(), None);
+        for sign in self.text.get(..self.at).unwrap_or_default().chars() {
+            match (quote, sign) {
+                (Some(end), sign) if end == sign => quote = None,
+                (Some(_), _) => {}
+                (None, '"' | '\'') => quote = Some(sign),
+                (None, '(' | '[' | '{') => open.push(sign),
+                (None, ')' | ']' | '}') => drop(open.pop()),
+                _ => {}
+            }
+        }
+        open.pop()
+    }
+
     /// From a byte of the line to the last one that was read.
     pub(super) fn since(&self, from: usize) -> Place {
         let read = self.text.get(from..self.at).unwrap_or_default().trim_end().len();
@@ -166,6 +198,10 @@ impl<'t> Scanner<'t> {
                 (None, ']' | ')') if depth > 0 => depth -= 1,
                 (None, _) if depth > 0 => {}
                 (None, ',' | ')' | '(' | '|' | ';' | '[' | ']' | '{' | '}' | '!' | '/' | '=' | '<' | '>') => {
+                    end = index;
+                    break;
+                }
+                (None, '&') if self.flavour == Flavour::S7 => {
                     end = index;
                     break;
                 }

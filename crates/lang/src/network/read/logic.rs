@@ -7,7 +7,7 @@ use crate::network::boxes::COMPARISONS;
 use crate::network::model::{Branch, Element, Kind, Line, Place, XorInput};
 use crate::network::pin_types::TypedPin;
 use crate::network::reasons::{Reason, Rewrite};
-use crate::network::write::may_stand_bare;
+use crate::network::write::keep_needed_brackets;
 
 /// How many brackets a CPU keeps open.
 const NESTING_MAX: usize = crate::network::rules::BRACKETS_MAX;
@@ -127,7 +127,7 @@ impl Reader<'_> {
             logic.series = branches.pop().map(|only| only.line).unwrap_or_default();
             return Ok(());
         }
-        keep_needed_flags(&mut branches);
+        keep_needed_brackets(&mut branches);
         let place = around(branches.iter().map(|branch| branch.line.as_slice()));
         self.deeper(logic)?;
         logic.series = vec![Kind::Parallel { branches, negated: false }.at(place)];
@@ -398,14 +398,6 @@ fn around<'l>(lines: impl DoubleEndedIterator<Item = &'l [Element]> + Clone) -> 
     let first = lines.clone().flatten().next().map_or(0, |one| one.place.first);
     let last = lines.rev().find_map(|line| line.last()).map_or(first, |one| one.place.last);
     Place { first, last }
-}
-
-/// A branch keeps the flag of its bracket only where the writer would have left the bracket out.
-fn keep_needed_flags(branches: &mut [Branch]) {
-    let last_edge = branches.iter().rposition(|branch| branch.line.iter().any(|one| one.kind.holds_edge()));
-    for (index, branch) in branches.iter_mut().enumerate() {
-        branch.bracketed &= may_stand_bare(branch, index, last_edge);
-    }
 }
 
 /// The circle of a bracket.

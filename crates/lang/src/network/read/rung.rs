@@ -297,14 +297,13 @@ impl<'s> Reader<'s> {
                 break;
             }
         }
-        if outputs.is_empty() { self.without_output(line) } else { Ok(Rung::new(line, End::Outputs(outputs))) }
+        if outputs.is_empty() { self.without_output() } else { Ok(Rung::new(line, End::Outputs(outputs))) }
     }
 
-    fn without_output(&mut self, line: Line) -> Read<Rung> {
-        let ends_with_box = line.last().is_some_and(|one| one.kind.is_box());
+    fn without_output(&self) -> Read<Rung> {
         match self.peek() {
             ")" => self.here(Reason::Bracket),
-            "" if ends_with_box && self.rewriting() => Ok(Rung::new(line, End::Open)),
+            // Also after a box: its ENO or Q was checked, and the check goes on in the next network.
             "" => self.before(Reason::Logic),
             "L" | "T" | "CALL" | "UC" => self.here(Reason::Unconditional),
             name if TimerKind::of(name).is_some() => self.here(Reason::Order),

@@ -112,16 +112,7 @@ fn without_comment_in_place(line: &str) -> String {
 
 /// A line up to its comment.
 fn without_comment(line: &str) -> &str {
-    let mut quoted = None;
-    for (at, sign) in line.char_indices() {
-        match quoted {
-            Some(quote) => quoted = Some(quote).filter(|&quote| quote != sign),
-            None if matches!(sign, '"' | '\'') => quoted = Some(sign),
-            None if line[at..].starts_with("//") => return &line[..at],
-            None => {}
-        }
-    }
-    line
+    &line[..form_a::comment_start(line).unwrap_or(line.len())]
 }
 
 impl Language {
