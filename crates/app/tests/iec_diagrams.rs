@@ -388,19 +388,32 @@ fn words_are_joined_in_every_width() {
 
 /// Compiles the body of a program that declares `a` and `b` as BOOL, `n` as INT, `s` as STRING, `t` as TON and `o` as TOF.
 fn said(body: &str) -> Vec<(String, String, String)> {
-    let text = format!(
+    said_of(Dialect::Iec, &program_of(body))
+}
+
+/// Compiles the body of a block of a dialect, with variables of many types.
+fn said_in(dialect: Dialect, body: &str) -> Vec<(String, String, String)> {
+    let variables = "VAR a, b, c : BOOL; n : INT; w : WORD; s : STRING; d : DINT; r : REAL; t : TIME; END_VAR";
+    let mut said = said_of(dialect, &format!("FUNCTION_BLOCK Tried\n{variables}\n{body}\nEND_FUNCTION_BLOCK\n"));
+    // Nothing calls the block.
+    said.retain(|one| one.0 != "P3013");
+    said
+}
+
+fn program_of(body: &str) -> String {
+    format!(
         "FUNCTION_BLOCK Own VAR_INPUT x : BOOL; END_VAR VAR_OUTPUT y : BOOL; z : INT; END_VAR y := x; END_FUNCTION_BLOCK\n\
          FUNCTION Nothing VAR_INPUT x : BOOL; END_VAR ; END_FUNCTION\n\
          PROGRAM Main VAR a, b : BOOL; n : INT; w : WORD; s : STRING; t : TON; o : TOF; own : Own; END_VAR\n{body}\nEND_PROGRAM\n"
-    );
+    )
+}
+
+/// The code, the place and the message of all that is said about a source.
+fn said_of(dialect: Dialect, text: &str) -> Vec<(String, String, String)> {
     let mut sources = Sources::default();
-    sources.add("page.st", text.as_str());
-    let options = Options {
-        cpu: Some(cpu_type()),
-        dialect: Some(Dialect::Iec),
-        system_blocks: sieben_cpu::system::interfaces(),
-        ..Options::default()
-    };
+    sources.add("page.st", text);
+    let options =
+        Options { cpu: Some(cpu_type()), dialect: Some(dialect), system_blocks: sieben_cpu::system::interfaces(), ..Options::default() };
     let compiled = sieben_lang::compile(&sources, &SymbolTable::default(), &options);
     let found = compiled.diagnostics.iter().map(|one| {
         let place = &text[one.span.start as usize..one.span.end as usize];
@@ -414,8 +427,8 @@ fn what_is_wrong_is_said_at_its_element() {
     let mut failures = Vec::new();
     for (body, code, place) in [
         ("LD\nNETWORK\n    NO a\n    COIL x", "P3001", "x"),
-        ("LD\nNETWORK\n    NO a\n    COIL n", "P6200", ""),
-        ("LD\nNETWORK\n    NO n\n    COIL a", "P6200", "n"),
+        ("LD\nNETWORK\n    NO a\n    COIL n", "P2444", "n"),
+        ("LD\nNETWORK\n    NO n\n    COIL a", "P2444", "n"),
         ("LD\nNETWORK\n    NO a +\n    COIL b", "P6055", ""),
         ("LD\nNETWORK\n    NO a b\n    COIL b", "P6054", "b"),
         ("LD\nNETWORK\n    FOO n, 1 => n", "P3008", "FOO"),
@@ -455,6 +468,50 @@ fn what_is_wrong_is_said_at_its_element() {
         }
     }
     assert!(failures.is_empty(), "{}", failures.join("\n\n"));
+}
+
+/// Elements that carry a BOOL, with a gap for their operand.
+const BIT_ELEMENTS: [&str; 14] = [
+    "LD\nNETWORK\n    NO …\n    COIL b",
+    "LD\nNETWORK\n    NC …\n    COIL b",
+    "LD\nNETWORK\n    NO a\n    NO …\n    COIL b",
+    "LD\nNETWORK\n    OR\n        NO a\n    OR\n        NC …\n    END\n    COIL b",
+    "FBD\nNETWORK\n    XOR\n        NO …\n    XOR\n        NO a\n    END\n    COIL b",
+    "LD\nNETWORK\n    P …\n    COIL b",
+    "LD\nNETWORK\n    N …\n    COIL b",
+    "LD\nNETWORK\n    NO a\n    COIL …",
+    "LD\nNETWORK\n    NO a\n    COIL / …",
+    "LD\nNETWORK\n    NO a\n    PCOIL …",
+    "LD\nNETWORK\n    NO a\n    SET …",
+    "LD\nNETWORK\n    NO a\n    RESET …",
+    "LD\nNETWORK\n    NO a\n    MID …\n    COIL b",
+    "LD\nNETWORK\n    ABS\n        EN := …\n        IN := n\n        OUT => n",
+];
+
+#[test]
+fn contacts_coils_and_en_take_a_bool_in_every_dialect() {
+    for dialect in Dialect::ALL {
+        for element in BIT_ELEMENTS {
+            assert_eq!(said_in(dialect, &element.replace('…', "c")), [], "{dialect:?} {element}");
+            for operand in ["n", "w", "s", "d", "r", "t"] {
+                let said = said_in(dialect, &element.replace('…', operand));
+                let codes: Vec<(&str, &str)> = said.iter().map(|one| (one.0.as_str(), one.1.as_str())).collect();
+                assert_eq!(codes, [("P2444", operand)], "{dialect:?} {element} {said:?}");
+                assert!(said[0].2.contains("BOOL (network 1)"), "{said:?}");
+            }
+        }
+    }
+    // A pin takes what its box takes.
+    assert_eq!(said("FBD\nNETWORK\n    ADD\n        IN1:\n            NO n\n        IN2 := 1\n        OUT => n"), []);
+    // What the message proposes is right.
+    for dialect in Dialect::ALL {
+        for compared in ["n <> 0", "w <> 16#0", "r <> 0.0", "t <> T#0s"] {
+            assert_eq!(said_in(dialect, &BIT_ELEMENTS[0].replace('…', compared)), [], "{dialect:?} {compared}");
+        }
+    }
+    // A bit of a word is a BOOL, where the dialect has names for bits.
+    assert_eq!(said_in(Dialect::Codesys, "LD\nNETWORK\n    NO w.3\n    COIL w.4"), []);
+    assert_eq!(said_in(Dialect::Tia, "LD\nNETWORK\n    NO w.%X3\n    COIL w.%X4"), []);
 }
 
 #[test]

@@ -247,7 +247,7 @@ impl Checker<'_> {
         let mut otherwise = Vec::new();
         let mut after: Vec<(Expression, Expression)> = Vec::new();
         let enable = match &pins.enable {
-            Some(enable) => Some(self.condition(enable)?),
+            Some(enable) => Some(self.enable(enable, one.network)?),
             None => None,
         };
         if let (Some(wire), true) = (goes, wants_eno) {
@@ -366,7 +366,7 @@ impl Checker<'_> {
             return None;
         }
         let enable = match &pins.enable {
-            Some(enable) => Some(self.condition(enable)?),
+            Some(enable) => Some(self.enable(enable, one.network)?),
             None => None,
         };
         // ENO goes to a place of its own first.

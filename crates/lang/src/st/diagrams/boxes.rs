@@ -55,7 +55,7 @@ impl Lowering<'_, '_> {
             Goes::Value => GoesOn::Value(self.wire()),
         };
         let power = power.map(|power| power.expression);
-        let written = DiagramBox { of, instance, power, power_pin, inputs, outputs, flow, goes_on };
+        let written = DiagramBox { network: self.number, of, instance, power, power_pin, inputs, outputs, flow, goes_on };
         self.put(StatementKind::Box(Box::new(written)), span);
         goes_on.wire().map(|wire| Tall::flat(Expression { kind: ExpressionKind::Wire(wire), span }))
     }
@@ -86,6 +86,12 @@ impl Lowering<'_, '_> {
     /// What is wired to a pin: a value of any type if one element makes it, else a line.
     fn pin(&mut self, line: &crate::network::model::Line) -> Value {
         use crate::network::model::Kind;
+        if let [only] = line.as_slice()
+            && let Kind::Contact { operand, negated } = &only.kind
+        {
+            // A variable or a constant of any type.
+            return Some(self.wired(operand, *negated, only.place));
+        }
         if let Some((last, before)) = line.split_last()
             && let Kind::Named(one) = &last.kind
         {
