@@ -315,6 +315,62 @@ fn comparisons_are_boxes_of_every_type() {
 }
 
 #[test]
+fn what_stands_before_the_arrow_of_a_box_is_its_last_input() {
+    let moved = [
+        ("BOOL", "v : ARRAY[0..2] OF BOOL := [3(TRUE)];\n", ["TRUE", "true", "FALSE", "v[1]"].as_slice()),
+        ("INT", "v : ARRAY[0..2] OF INT := [3(7)]; n : INT := 2;\n", &["5", "-5", "16#7F", "v[1]", "n+1", "n"]),
+        ("WORD", "v : ARRAY[0..2] OF WORD := [3(16#FF)];\n", &["16#FF", "2#101", "v[2]", "5"]),
+        ("REAL", "v : ARRAY[0..2] OF REAL := [3(1.5)];\n", &["1.5", "-2.5E3", "v[2]"]),
+        ("TIME", "t : TON := (PT := T#3s);\n", &["T#5s", "t.PT"]),
+        ("STRING", "s : STRING := 'ab';\n", &["'a, b => c'", "s"]),
+    ];
+    for dialect in [Dialect::Iec, Dialect::Codesys] {
+        for (data_type, declarations, values) in moved {
+            let row = |value: &&str| ((*value).to_owned(), format!("MOVE  {value} => @"), format!("|- MOVE({value} => @)"));
+            let rows: Vec<Row> = values.iter().map(row).collect();
+            holds(&three_forms(declarations, data_type, &rows), dialect, &rows);
+        }
+    }
+}
+
+/// A function with two inputs and an output beside its result.
+const QUOTIENT: &str = "FUNCTION Quotient : INT\nVAR_INPUT a, b : INT; END_VAR\nVAR_OUTPUT rest : INT; END_VAR\nQuotient := a / b; rest := a MOD b;\nEND_FUNCTION\n";
+
+#[test]
+fn outputs_by_name_stand_beside_inputs_by_position() {
+    let declarations = "n : INT := 17; b : INT := 5; none : INT; x : INT; ok : BOOL;\n";
+    let numbers = [
+        ("17 / 5", "DIV n, b => @, ENO => ok", "DIV(n, b => @, ENO => ok)"),
+        ("17 / 5", "DIV n, b, ENO => ok, OUT => @", "DIV(n, b, OUT => @, ENO => ok)"),
+        ("17 / 5", "Quotient n, b => @", "Quotient(n, b => @)"),
+        ("17 / 5", "Quotient n, b => @, rest => x", "Quotient(n, b => @, rest => x)"),
+        ("17 MOD 5", "Quotient n, b, rest => @", "Quotient(n, b, rest => @)"),
+        ("17 MOD 5", "Quotient a := n, b := b, rest => @, ENO => ok", "Quotient(a := n, b := b, rest => @, ENO => ok)"),
+        ("17", "MOVE n => @, ENO => ok", "MOVE(n => @, ENO => ok)"),
+    ];
+    let bits = [
+        ("TRUE", "DIV n, b => x, ENO => @", "DIV(n, b => x, ENO => @)"),
+        ("FALSE", "DIV n, none => x, ENO => @", "DIV(n, none => x, ENO => @)"),
+        ("FALSE", "DIV n, none, ENO => @, OUT => x", "DIV(n, none, ENO => @, OUT => x)"),
+        ("TRUE", "MOVE 16#7F => x, ENO => @", "MOVE(16#7F => x, ENO => @)"),
+    ];
+    for dialect in [Dialect::Iec, Dialect::Codesys] {
+        for (of, rows) in [("INT", numbers.as_slice()), ("BOOL", bits.as_slice())] {
+            let row = |&(text, ladder, line): &(&str, &str, &str)| (text.to_owned(), ladder.to_owned(), format!("|- {line}"));
+            let rows: Vec<Row> = rows.iter().map(row).collect();
+            holds(&format!("{QUOTIENT}{}", three_forms(declarations, of, &rows)), dialect, &rows);
+        }
+    }
+    // What was read is printed as it was written.
+    for (_, _, line) in numbers.iter().chain(&bits) {
+        let line = line.replace('@', "y");
+        let line = format!("|- {line}");
+        let network = form_b::parse(&line, 0, Flavour::Iec).unwrap_or_else(|mistake| panic!("{line}: {mistake:?}"));
+        assert_eq!(form_b::print(&network, Drawing::Lad), line);
+    }
+}
+
+#[test]
 fn shifts_and_rotations_are_boxes_of_every_width() {
     let types = [
         ("BYTE", 8, "16#A5"),
@@ -453,6 +509,11 @@ fn what_is_wrong_is_said_at_its_element() {
         ("LD\nNETWORK\n    NO a", "P2404", ""),
         ("LD\nNETWORK\n    XOR\n        NO a\n    XOR\n        NO b\n    END\n    COIL b", "P2407", ""),
         ("LD\na (b -> = b", "P2409", ""),
+        ("LD\nn > 5 -> = b", "P2409", ">"),
+        ("LD\n|- MOVE(n + 1 => n)", "P2409", "+"),
+        ("LD\na AND b -> = b", "P2409", "A"),
+        ("LD\n|- Own[own](a, b, y => b)", "P3009", "b"),
+        ("LD\nNETWORK\n    Own own a, b, y => b", "P3009", "b"),
         ("FBD\nNETWORK\n    AND w, 16#FF => n", "P6200", ""),
         (
             "FBD\nNETWORK\n    OR\n        TON t\n            IN := a\n    OR\n        TON t\n            IN := b\n    END\n    COIL b",

@@ -113,6 +113,13 @@ impl<'t> Scanner<'t> {
     pub(super) fn operand(&mut self) -> Parsed<Operand> {
         self.space();
         let from = self.at;
+        if self.flavour == Flavour::Iec
+            && let Some(operator) = operator(self.rest())
+        {
+            let (sign, instead) = operator;
+            let message = format!("`{sign}` belongs to an expression of Structured Text; in a line of a diagram {instead}");
+            return self.wrong(message);
+        }
         self.operand_part()?;
         if self.at == from || self.text.get(from..self.at) == Some(".") {
             self.at = from;
@@ -229,4 +236,29 @@ fn begins_with_unit(text: &str) -> bool {
 
 fn ends_with_unit(text: &str) -> bool {
     text.rsplit(char::is_whitespace).next().is_some_and(|word| UNITS.iter().any(|unit| word.eq_ignore_ascii_case(unit)))
+}
+
+/// Operators of Structured Text, and what stands for them in a line.
+const OPERATORS: [(&str, &str); 15] = [
+    ("<", "it is a box, `LT(a, b)`"),
+    (">", "it is a box, `GT(a, b)`"),
+    ("=", "it is a box, `EQ(a, b)`"),
+    ("<>", "it is a box, `NE(a, b)`"),
+    ("<=", "it is a box, `LE(a, b)`"),
+    (">=", "it is a box, `GE(a, b)`"),
+    ("+", "a sum has no spaces, `a+b`"),
+    ("-", "a difference has no spaces, `a-b`"),
+    ("*", "a product has no spaces, `a*b`"),
+    ("**", "a power has no spaces, `a**b`"),
+    ("&", "a space is AND"),
+    ("AND", "a space is AND"),
+    ("OR", "OR is `(a | b)`"),
+    ("XOR", "exclusive OR is `xor(a, b)`, and only FBD has it"),
+    ("MOD", "it is a box, `MOD(a, b)`"),
+];
+
+/// An operator of Structured Text with spaces around it, and what stands for it.
+fn operator(rest: &str) -> Option<(&'static str, &'static str)> {
+    let word = rest.split(char::is_whitespace).next()?;
+    OPERATORS.iter().copied().find(|(sign, _)| sign.eq_ignore_ascii_case(word))
 }

@@ -94,7 +94,12 @@ impl Checker<'_> {
             Use::Coil => format!("{what}, and a coil writes a BOOL ({network})"),
             Use::Enable => format!("{what}, and EN of a box is a BOOL ({network})"),
         };
-        let help = self.instead(wanted, name.as_deref().unwrap_or("x"), data_type.as_ref());
+        let help = match found {
+            Reached::Other(Typed::Integer { .. } | Typed::Real { .. }) => {
+                "Write TRUE, FALSE or a variable that is declared as BOOL.".to_owned()
+            }
+            _ => self.instead(wanted, name.as_deref().unwrap_or("x"), data_type.as_ref()),
+        };
         self.report(Problem::P2444, span, message).help = Some(help);
     }
 

@@ -9,7 +9,7 @@ use super::Language;
 use crate::network::flavour::{Drawing, Flavour};
 use crate::network::form_a;
 use crate::network::mistake::Mistake;
-use crate::network::model::{Network, Place};
+use crate::network::model::{Content, Network, Place};
 use crate::network::{form_b, rules};
 
 /// A network of a body.
@@ -96,7 +96,13 @@ impl Read {
                 let place = head.unwrap_or(from..to);
                 self.add(network, language, Place::new(place.start, place.end));
             }
-            Err(mistake) => self.mistakes.push(mistake),
+            Err(mistake) => {
+                self.mistakes.push(mistake);
+                // Those after it keep their numbers.
+                let place = head.unwrap_or(from..to);
+                let network = Network { label: None, content: Content::Empty };
+                self.networks.push(Written { network, language, place: Place::new(place.start, place.end) });
+            }
         }
     }
 }
