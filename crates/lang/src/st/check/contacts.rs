@@ -90,9 +90,9 @@ impl Checker<'_> {
             }
         };
         let message = match wanted {
-            Use::Contact => format!("{what}, and a contact reads a BOOL ({network})"),
-            Use::Coil => format!("{what}, and a coil writes a BOOL ({network})"),
-            Use::Enable => format!("{what}, and EN of a box is a BOOL ({network})"),
+            Use::Contact => format!("{network}: {what}, and a contact reads a BOOL"),
+            Use::Coil => format!("{network}: {what}, and a coil writes a BOOL"),
+            Use::Enable => format!("{network}: {what}, and EN of a box is a BOOL"),
         };
         let help = match found {
             Reached::Other(Typed::Integer { .. } | Typed::Real { .. }) => {

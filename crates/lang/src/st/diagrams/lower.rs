@@ -68,8 +68,8 @@ pub(in crate::st) struct Lowering<'t, 'n> {
     pub(super) number: NetworkNumber,
     /// The wires of the network.
     wires: u32,
-    /// The instances that its boxes call.
-    pub(super) called: HashMap<String, Span>,
+    /// The instances that boxes of the body call: where each was called first.
+    pub(super) called: HashMap<String, (Span, NetworkNumber)>,
     /// The line that the innermost T-branch taps.
     tap: Value,
     depth: usize,
@@ -123,7 +123,6 @@ impl<'t, 'n> Lowering<'t, 'n> {
 
     fn network(&mut self, network: &Network, place: Place) {
         self.wires = 0;
-        self.called.clear();
         self.tap = None;
         if let Some(label) = &network.label {
             let name = self.label(label, self.span(place));
@@ -144,8 +143,9 @@ impl<'t, 'n> Lowering<'t, 'n> {
         Span::new(self.source.file, first, last.max(first))
     }
 
-    pub(super) fn report(&mut self, problem: Problem, span: Span, message: impl Into<String>, help: &str) {
-        self.diagnostics.push(Diagnostic::new(problem, span, message).help(help));
+    /// A message about an element; it names the network.
+    pub(super) fn report(&mut self, problem: Problem, span: Span, message: impl std::fmt::Display, help: &str) {
+        self.diagnostics.push(Diagnostic::new(problem, span, format!("{}: {message}", self.number)).help(help));
     }
 
     /// Refuses an element of the S7.

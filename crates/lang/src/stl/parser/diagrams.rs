@@ -14,6 +14,7 @@ use super::blocks::{Keyword, keyword_of};
 use crate::network::flavour::{Drawing, Flavour};
 use crate::network::form_a;
 use crate::network::form_b;
+use crate::network::memories::memories;
 use crate::network::mistake::{Mistake, MistakeKind};
 use crate::network::model::{Content, Network};
 use crate::network::operand::{Operand as Written, STATUS_BITS};
@@ -137,11 +138,30 @@ impl Parser<'_> {
         if network.content == Content::Empty && network.label.is_none() {
             return;
         }
+        self.remembers(network, drawing, block);
         let written = write::write(network, 0, &mut self.generated_labels);
         let mut read = Operands::new();
         for statement in written.statements {
             let statement = self.statement_of(&statement, &mut read);
             block.statements.push(statement);
+        }
+    }
+
+    /// Warns where a second element uses a timer, a counter or an edge memory.
+    fn remembers(&mut self, network: &Network, drawing: Drawing, block: &Block) {
+        let number = block.networks.len().max(1);
+        for (memory, operand, place) in memories(network) {
+            let span = self.span(place.first as usize, place.last as usize);
+            let name: String = operand.chars().filter(|sign| !sign.is_whitespace()).flat_map(char::to_uppercase).collect();
+            let key = (memory, name);
+            let Some(&(first, network)) = self.memories.get(&key) else {
+                self.memories.insert(key, (span, number));
+                continue;
+            };
+            let message = format!("{} network {number}: {}, first used in network {network}", drawing.word(), memory.used_twice(operand));
+            let mut diagnostic = Diagnostic::new(Problem::P2443, span, message).help(memory.instead());
+            diagnostic.related.push((first, "first used here".to_owned()));
+            self.report(diagnostic);
         }
     }
 
