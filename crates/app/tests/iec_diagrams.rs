@@ -440,6 +440,94 @@ fn words_are_joined_in_every_width() {
     assert!(refused.as_ref().is_err_and(|why| why.contains("BYTE")), "{:?}", refused.err());
 }
 
+/// A property whose GET and SET are drawn, and the same one in text.
+const PROPERTY: &str = "
+FUNCTION_BLOCK Drawn
+VAR on, held : BOOL; n : INT; END_VAR
+PROPERTY Running : BOOL
+GET
+VAR t : BOOL; END_VAR
+LD
+NETWORK
+    NO held
+    JMP  quiet
+NETWORK
+    NO on
+    COIL t
+NETWORK
+LABEL quiet:
+    NO t
+    COIL Running
+END_GET
+SET
+FBD
+NETWORK
+    OR
+        NO Running
+    OR
+        NO held
+    END
+    COIL on
+END_SET
+END_PROPERTY
+PROPERTY Level : INT
+SET
+LD
+|- MOVE(Level => n)
+GT(Level, 6) -> S held
+LT(Level, 3) -> R held
+END_SET
+GET
+LD
+NETWORK
+    ADD n, 1 => Level
+END_GET
+END_PROPERTY
+LD
+NETWORK
+    NO on
+    COIL held
+END_FUNCTION_BLOCK
+FUNCTION_BLOCK Written
+VAR on, held : BOOL; n : INT; END_VAR
+PROPERTY Running : BOOL
+GET Running := NOT held AND on; END_GET
+SET on := Running OR held; END_SET
+END_PROPERTY
+PROPERTY Level : INT
+SET n := Level; IF Level > 6 THEN held := TRUE; ELSIF Level < 3 THEN held := FALSE; END_IF; END_SET
+GET Level := n + 1; END_GET
+END_PROPERTY
+held := on;
+END_FUNCTION_BLOCK
+PROGRAM Main
+VAR drawn : Drawn; written : Written; a, called : BOOL; n : INT; o : ARRAY[0..3] OF INT; END_VAR
+drawn.Running := a; written.Running := a;
+drawn.Level := n; written.Level := n;
+IF called THEN drawn(); written(); END_IF;
+o[0] := drawn.Level; o[1] := written.Level;
+o[2] := BOOL_TO_INT(drawn.Running); o[3] := BOOL_TO_INT(written.Running);
+END_PROGRAM
+";
+
+#[test]
+fn get_and_set_of_a_property_are_drawn() {
+    for (engine, mut running) in Running::on_engines(PROPERTY, Dialect::Codesys) {
+        let mut random = Random(7);
+        let mut seen = std::collections::BTreeSet::new();
+        for scan in 0..64 {
+            running.set("Main.a", if random.chance(2) { "1" } else { "0" });
+            running.set("Main.called", if random.chance(3) { "1" } else { "0" });
+            running.set("Main.n", &random.below(9).to_string());
+            running.scan(10_000);
+            let o: Vec<String> = (0..4).map(|index| running.get(&format!("Main.o[{index}]"))).collect();
+            assert_eq!((&o[0], &o[2]), (&o[1], &o[3]), "[{engine}] scan {scan}");
+            seen.insert(o[2].clone());
+        }
+        assert_eq!(seen.len(), 2, "{seen:?}");
+    }
+}
+
 // What is wrong.
 
 /// Compiles the body of a program that declares `a` and `b` as BOOL, `n` as INT, `s` as STRING, `t` as TON and `o` as TOF.

@@ -98,7 +98,7 @@ impl Checker<'_> {
             Reached::Other(Typed::Integer { .. } | Typed::Real { .. }) => {
                 "Write TRUE, FALSE or a variable that is declared as BOOL.".to_owned()
             }
-            _ => self.instead(wanted, name.as_deref().unwrap_or("x"), data_type.as_ref()),
+            _ => self.instead(wanted, name.as_deref().unwrap_or("…"), data_type.as_ref()),
         };
         self.report(Problem::P2444, span, message).help = Some(help);
     }
