@@ -76,6 +76,10 @@ impl Parser<'_> {
         let mut pin = RawPin { from, ..RawPin::default() };
         let circle = self.scan.flavour == Flavour::Iec && self.scan.eat("/");
         (pin.name, pin.written) = self.pin_name();
+        // An output has no circle: `/b => x` is an input.
+        if pin.name.is_some() && circle && self.scan.see("=>") {
+            pin.name = None;
+        }
         match pin.name {
             Some(_) => pin.negated = circle,
             None => self.scan.at = from,

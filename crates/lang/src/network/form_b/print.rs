@@ -3,9 +3,10 @@
 use crate::network::boxes::BoxRow;
 use crate::network::flavour::Drawing;
 use crate::network::model::{
-    Actual, Alone, Branch, Content, Counter, Element, End, Kind, Line, NamedBox, Network, Output, OutputKind, Pin, Rung, Timer, XorInput,
+    Actual, Alone, Branch, Content, Counter, Element, End, Kind, Line, NamedBox, NamedInput, Network, Output, OutputKind, Pin, Rung, Timer,
+    XorInput,
 };
-use crate::network::operand::Operand;
+use crate::network::operand::{Operand, may_name_output};
 use crate::network::write::reads_tap;
 
 /// A network on one line.
@@ -221,7 +222,15 @@ impl Printer {
             let name = input.name.as_ref().map(|name| format!("{name} := ")).unwrap_or_default();
             pins.push(format!("{name}{}{line}", slash(input.negated)));
         }
-        let by_position = named.inputs.last().is_some_and(|input| input.name.is_none());
+        // A word alone before the arrow would be read as the name of the output.
+        let may_be_name = |input: &NamedInput| {
+            let alone = match input.line.as_slice() {
+                [Element { kind: Kind::Contact { operand, negated: false }, .. }] => Some(operand),
+                _ => None,
+            };
+            !input.negated && alone.is_some_and(|operand| operand.starts_with('"') || may_name_output(operand))
+        };
+        let by_position = named.inputs.last().is_some_and(|input| input.name.is_none() && !may_be_name(input));
         for (index, (name, output)) in named.outputs.iter().enumerate() {
             match (name, pins.last_mut()) {
                 (Some(name), _) => pins.push(format!("{name} => {output}")),

@@ -232,7 +232,7 @@ impl Parser<'_> {
         if text.is_empty() {
             return Operand::None;
         }
-        if let Some(bit) = scratch_number(text) {
+        if let Some(bit) = write::scratch_number(text) {
             return Operand::Scratch { bit };
         }
         if let Ok(number) = text.parse::<i16>() {
@@ -271,12 +271,6 @@ pub(in crate::stl) fn layout(text: &str) -> String {
         return form_a::format(text, 0, text.len(), &form_a::parse(text, 0, text.len(), Flavour::S7));
     }
     form_a::written_lines(text).map(|line| format!("{}\n", line.trim())).collect()
-}
-
-/// The number of a scratch bit in its network.
-fn scratch_number(text: &str) -> Option<u32> {
-    let (byte, bit) = text.strip_prefix('L')?.trim_start().split_once('.')?;
-    Some(byte.parse::<u32>().ok()? * 8 + bit.parse::<u32>().ok()?)
 }
 
 /// Where an operand ends in the text that it was read from: it may have more spaces there.
