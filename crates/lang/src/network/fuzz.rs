@@ -3,6 +3,7 @@
 use super::boxes::{BOXES, COMPARISONS, TimerKind};
 use super::flavour::{Drawing, Flavour};
 use super::form_b::{parse, print};
+use super::mistake::MistakeKind;
 use super::model::Network;
 use super::operand::Operand;
 use super::read::compare::difference;
@@ -32,7 +33,12 @@ pub fn lines(data: &[u8]) {
 fn comes_back(network: &Network, flavour: Flavour) {
     for drawing in [Drawing::Lad, Drawing::Fbd] {
         let line = print(network, drawing);
-        let again = parse(&line, 0, flavour).unwrap_or_else(|mistake| panic!("`{line}` is not read again: {mistake:?}"));
+        let again = match parse(&line, 0, flavour) {
+            Ok(again) => again,
+            // A long line of edges is a deep one in FBD.
+            Err(mistake) if mistake.kind == MistakeKind::Size => continue,
+            Err(mistake) => panic!("`{line}` is not read again: {mistake:?}"),
+        };
         assert_eq!(&again, network, "`{line}` is another diagram");
     }
     if flavour == Flavour::S7 {

@@ -113,14 +113,13 @@ impl<'t> Scanner<'t> {
     pub(super) fn operand(&mut self) -> Parsed<Operand> {
         self.space();
         let from = self.at;
-        if self.flavour == Flavour::Iec
-            && let Some(operator) = operator(self.rest())
-        {
-            let (sign, instead) = operator;
-            let message = format!("`{sign}` belongs to an expression of Structured Text; in a line of a diagram {instead}");
-            return self.wrong(message);
-        }
         self.operand_part()?;
+        if self.flavour == Flavour::Iec
+            && let Some((sign, instead)) = operator(self.text.get(from..self.at).unwrap_or_default(), self.rest())
+        {
+            let message = format!("`{sign}` belongs to an expression of Structured Text; in a line of a diagram {instead}");
+            return self.wrong_at(from, message);
+        }
         if self.at == from || self.text.get(from..self.at) == Some(".") {
             self.at = from;
             return self.wrong("an operand is missing here");
@@ -257,8 +256,11 @@ const OPERATORS: [(&str, &str); 15] = [
     ("MOD", "it is a box, `MOD(a, b)`"),
 ];
 
-/// An operator of Structured Text with spaces around it, and what stands for it.
-fn operator(rest: &str) -> Option<(&'static str, &'static str)> {
-    let word = rest.split(char::is_whitespace).next()?;
+/// An operator where an operand is wanted, and what stands for it; comparisons end what was read.
+fn operator(read: &str, rest: &str) -> Option<(&'static str, &'static str)> {
+    let word = match read {
+        "" => rest.find(|sign| !matches!(sign, '<' | '>' | '=')).map_or(rest, |end| &rest[..end]),
+        read => read,
+    };
     OPERATORS.iter().copied().find(|(sign, _)| sign.eq_ignore_ascii_case(word))
 }
