@@ -371,3 +371,26 @@ NETWORK LAD
     }
     assert!(stl.contains("CALL  SFC 64 ("), "{stl}");
 }
+
+#[test]
+fn a_second_use_of_an_edge_memory_or_a_counter_is_told_with_the_first() {
+    let block = |second: &str| {
+        format!(
+            "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK LAD\n    NO I 0.0\n    P M 1.0\n    S_CU C 1\n    COIL Q 4.0\nNETWORK LAD\n    NO I 0.1\n{second}\n    COIL Q 4.1\nEND_ORGANIZATION_BLOCK\n"
+        )
+    };
+    let said = |second: &str| Folder::with(&[("main.awl", &block(second))]).run(&["check", "main.awl"]).stderr;
+    for second in ["    N M1.0", "    POS I 0.2, M 1.0", "    OR\n        POS I 0.2, M 1.0\n    OR\n        NO I 0.3\n    END"] {
+        let said = said(second);
+        assert!(
+            said.contains("[P2443]") && said.contains("LAD network 2: a second edge keeps its line in `M1.0`, first used in network 1"),
+            "{said}"
+        );
+    }
+    let again = said("    S_CU C 1");
+    assert!(again.contains("LAD network 2: a second box S_CU counts with `C1`, first used in network 1"), "{again}");
+    // The other direction has an edge of its own.
+    for second in ["    S_CD C 1", "    P M 1.1", "    NO M 1.0"] {
+        assert!(!said(second).contains("P2443"), "{}", said(second));
+    }
+}

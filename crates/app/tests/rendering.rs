@@ -393,6 +393,10 @@ Network 1
    └──────┘
 ";
     assert_eq!(run.stdout, wanted);
+    let json = folder.run(&["render", "pump.st", "--json"]).stdout;
+    let blocks: Vec<serde_json::Value> =
+        json.lines().map(|line| serde_json::from_str::<serde_json::Value>(line).unwrap()["block"].take()).collect();
+    assert_eq!(blocks, ["Pump.Go", "Pump", "Pump", "Main"]);
     let run = folder.run(&["render", "pump.st", "--block", "pump.go", "--network", "2"]);
     assert_eq!(run.code, Some(2), "{}", run.stdout);
     assert!(run.stderr.contains("[P7082] Error: Pump.Go has no network 2; it has one, network 1"), "{}", run.stderr);

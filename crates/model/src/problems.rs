@@ -129,7 +129,8 @@ problems! {
     P2440 Error "an element of S7 blocks in a diagram of IEC 61131-3" "Draw what the message names instead.";
     P2441 Error "a coil that nothing is wired to" "Draw what it is to be assigned before it; TRUE is written as a contact.";
     P2442 Error "a body with statements and a diagram" "Write the diagram in a block or an action of its own.";
-    P2443 Warning "an instance that two boxes of a network call" "Declare an instance for each box, or draw one of them in a network of its own.";
+    P2443 Warning "an instance, a counter or an edge memory that two elements of a diagram use" "Give each element one of its own, or read what the first one delivers.";
+    P2444 Error "a contact, a coil or EN of a diagram that is no BOOL" "Read or write one bit, or draw a box: it takes operands of any type.";
     P3001 Error "a name that is not declared" "Declare it in the symbol table or in the VAR sections of the block.";
     P3002 Error "two blocks with one number" "Give one of them another number, or name only the files that belong together.";
     P3003 Error "a block named by a symbol that is not in the symbol table" "Add the symbol with the number of the block as its address, for example `FC 1`.";

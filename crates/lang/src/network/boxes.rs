@@ -159,7 +159,7 @@ impl TimerKind {
 }
 
 /// Which counter box.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum CounterKind {
     /// S_CU.
     Up,

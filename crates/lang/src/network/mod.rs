@@ -8,6 +8,7 @@ pub mod flavour;
 pub mod form_a;
 pub mod form_b;
 pub mod fuzz;
+pub mod memories;
 pub mod mistake;
 pub mod model;
 pub mod operand;

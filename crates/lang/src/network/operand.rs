@@ -24,6 +24,13 @@ impl Operand {
     }
 }
 
+/// Whether a word before `=>` may be the name of an output: no number, no path, and neither TRUE nor FALSE.
+pub(super) fn may_name_output(word: &str) -> bool {
+    let is_truth = ["TRUE", "FALSE"].iter().any(|truth| truth.eq_ignore_ascii_case(word));
+    let is_word = word.chars().all(|sign| sign.is_alphanumeric() || sign == '_');
+    is_word && !is_truth && word.starts_with(|sign: char| sign.is_alphabetic() || sign == '_')
+}
+
 /// The status bits that a contact may read; BIE is BR in German mnemonics.
 pub const STATUS_BITS: [&str; 11] = ["OV", "OS", "UO", "BR", "BIE", "==0", "<>0", ">0", "<0", ">=0", "<=0"];
 

@@ -45,6 +45,13 @@ pub fn scratch_bit(bit: u32) -> Operand {
     Operand::from(format!("L {}.{}", bit / 8, bit % 8))
 }
 
+/// The number of a bit of local data, as [`scratch_bit`] writes it: its byte times 8, and the bit.
+pub fn scratch_number(operand: &str) -> Option<u32> {
+    let (byte, bit) = operand.strip_prefix('L')?.trim_start().split_once('.')?;
+    let bit = bit.parse::<u32>().ok().filter(|bit| *bit < 8)?;
+    byte.parse::<u32>().ok()?.checked_mul(8)?.checked_add(bit)
+}
+
 /// What comes after a value.
 #[derive(Clone, Copy, PartialEq)]
 enum Then {

@@ -28,6 +28,7 @@ use super::lower::{ResolvedBlock, Statement};
 use super::operands::{BlockOperand, Location, NumberOperand, Operand, OperandClass, StatusScan};
 use super::parser::DIAGNOSTICS_MAX;
 use super::resolve::{Known, Resolver};
+use crate::network::write::scratch_bit;
 use accumulators::Operands;
 use pins::Wired;
 pub use temporaries::TemporaryReads;
@@ -147,10 +148,7 @@ fn stated(known: &Known<'_>, id: BlockId, interface: &Interface, statement: &ast
     let mnemonic = &statement.mnemonic.text;
     let operand = match &statement.operand {
         ast::Operand::None => String::new(),
-        ast::Operand::Scratch { bit } => {
-            let bit = u64::from(first_scratch_bit(interface, id.kind)) + u64::from(*bit);
-            format!("L {}.{}", bit / 8, bit % 8)
-        }
+        ast::Operand::Scratch { bit } => scratch_bit(first_scratch_bit(interface, id.kind).saturating_add(*bit)).text,
         // Labels that boxes need are called otherwise inside, so that nothing that is written can name them.
         ast::Operand::Name { word, .. } => word.text.replacen('·', "_", 1),
         ast::Operand::Constant(ast::Constant { value: Some(Value::Int(number)), span, .. }) if *span == statement.span => {

@@ -14,15 +14,14 @@ use super::ast;
 use super::lower::ResolvedBlock;
 use super::mnemonics::translate_status;
 use super::operands::{Access, Call, Location, NumberOperand, Operand};
+use crate::declarations::interface::START_INFORMATION_BYTES;
 use crate::network::flavour::Drawing;
 use crate::network::model::Place;
 use crate::network::operand::{Operand as Written, STATUS_BITS};
 use crate::network::pin_types::{Class, Constant};
 use crate::network::read::{Answer, Mode, Surroundings, carries, draw, reads_before_writing};
 use crate::network::statement::{Parameter, Passing, Statement};
-
-/// Bytes of start information at the beginning of the local data of an organization block.
-const START_INFORMATION_BYTES: u32 = 20;
+use crate::network::write::{scratch_bit, scratch_number};
 
 /// A network of a block.
 #[derive(Clone, Debug)]
@@ -104,7 +103,7 @@ pub(crate) fn first_scratch_bit(interface: &Interface, kind: BlockKind) -> u32 {
         .iter()
         .filter(|variable| variable.section == Section::Temp)
         .map(|variable| variable.offset.saturating_add(u32::try_from(variable.data_type.bits_used()).unwrap_or(u32::MAX)));
-    ends.fold(start, u32::max).next_multiple_of(8)
+    ends.fold(start, u32::max).checked_next_multiple_of(8).unwrap_or(u32::MAX)
 }
 
 struct Reader<'a> {
@@ -282,10 +281,7 @@ impl<'a> Reader<'a> {
     fn operand(&self, operand: &ast::Operand, span: Span) -> String {
         match operand {
             ast::Operand::None => String::new(),
-            ast::Operand::Scratch { bit } => {
-                let bit = u64::from(self.scratch) + u64::from(*bit);
-                format!("L {}.{}", bit / 8, bit % 8)
-            }
+            ast::Operand::Scratch { bit } => scratch_bit(self.scratch.saturating_add(*bit)).text,
             ast::Operand::Absolute { letters, number, bit } => {
                 format!("{letters} {number}{}", bit.map_or_else(String::new, |bit| format!(".{bit}")))
             }
@@ -441,10 +437,7 @@ struct Around<'r, 'a> {
 
 impl Surroundings for Around<'_, '_> {
     fn scratch(&self, operand: &str) -> Option<u32> {
-        let (byte, bit) = operand.strip_prefix('L')?.trim_start().split_once('.')?;
-        let (byte, bit) = (byte.parse::<u32>().ok()?, bit.parse::<u32>().ok()?);
-        let position = byte.checked_mul(8)?.checked_add(bit)?;
-        (bit < 8 && position >= self.reader.scratch).then_some(position)
+        scratch_number(operand).filter(|position| *position >= self.reader.scratch)
     }
 
     fn is_temporary(&self, operand: &str) -> bool {

@@ -15,6 +15,7 @@ use sieben_model::source::Span;
 use super::extension::{Compared, Extension};
 use super::instructions::Instruction;
 use super::operands::{Access, AddressRegister, Location, NumberOperand, Operand};
+use crate::declarations::interface::START_INFORMATION_BYTES;
 use crate::stl::why::Why;
 
 /// One statement with all names resolved.
@@ -59,7 +60,11 @@ pub fn lower_counted(block: &ResolvedBlock, cpu: &CpuType) -> CodeBlock {
 }
 
 fn lowered(block: &ResolvedBlock, cpu: &CpuType, counted: bool) -> CodeBlock {
-    let declared = block.interface.local_size.max(if block.id.kind == sieben_model::block::BlockKind::OrganizationBlock { 20 } else { 0 });
+    let declared = block.interface.local_size.max(if block.id.kind == sieben_model::block::BlockKind::OrganizationBlock {
+        START_INFORMATION_BYTES
+    } else {
+        0
+    });
     let addressed = block.statements.iter().map(|statement| local_end(&statement.operand)).max().unwrap_or(0);
     let mut lowering = Lowering {
         b: Builder::default(),

@@ -69,7 +69,14 @@ fn a_line_is_read_and_written_in_both_drawings_and_stands_for_statements() {
 
 const IEC: &[&str] = &[
     "a TON[t1](IN := ., PT := T#5s, Q => .) -> = x",
-    "|- ADD(a, b, 5, => x)",
+    "|- ADD(a, b, 5 => x)",
+    "|- DIV(x, y => z, ENO => e)",
+    "|- DIV(IN1 := x, IN2 := y, OUT => z, ENO => e)",
+    "|- MOVE(TRUE => p)",
+    "|- MOVE(a, => p)",
+    "[BR] /[OV] -> = x",
+    "|- MOVE(/a => p)",
+    "|- MOVE(a.b => p)",
     "a /b POS(c) NEG(d) -> / x, P y, N z",
     "|- -> = lamp",
     "|- CTU[c](CU := a, R := /b, PV := 5, Q => q, CV => n)",

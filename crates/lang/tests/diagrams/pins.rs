@@ -8,7 +8,7 @@ use sieben_lang::{Options, compile};
 use sieben_model::source::Sources;
 use sieben_model::symbols::SymbolTable;
 
-use crate::statements::{Plain, statements};
+use crate::statements::{PLAIN, statements};
 
 /// The messages about pins of a diagram, without the name of its network.
 fn messages(text: &str) -> Vec<String> {
@@ -218,7 +218,7 @@ const NOT_DRAWN: &[(&str, usize)] = &[
 #[test]
 fn statements_whose_widths_fit_no_element_stay_statements() {
     for (input, statement) in NOT_DRAWN {
-        match draw(&statements(input), &Plain, 160, Mode::RewritingConstants) {
+        match draw(&statements(input), &PLAIN, 160, Mode::RewritingConstants) {
             Answer::No(refusal) => assert_eq!((refusal.reason, refusal.statement + 1), (Reason::Width, *statement), "{input}"),
             other => panic!("{input}: {other:?}"),
         }

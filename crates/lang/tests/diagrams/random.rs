@@ -17,7 +17,7 @@ use sieben_lang::network::statement::Statement;
 use sieben_lang::network::to_lad::to_lad;
 use sieben_lang::network::write::{keep_needed_brackets, write};
 
-use crate::statements::{Plain, all_shown};
+use crate::statements::{PLAIN, all_shown};
 
 /// Random numbers from one seed.
 struct Random(u64);
@@ -275,12 +275,12 @@ proptest! {
                     false => drop(cut.remove(random.below(statements.len()))),
                 }
                 for mode in [Mode::Strict, Mode::Rewriting, Mode::RewritingConstants] {
-                    if let Answer::Equivalent(reading, _) = draw(&cut, &Plain, 48, mode) {
+                    if let Answer::Equivalent(reading, _) = draw(&cut, &PLAIN, 48, mode) {
                         prop_assert!(!reading.rewrites.is_empty(), "{}", all_shown(&cut));
                     }
                 }
             }
-            match draw(&statements, &Plain, 48, Mode::Strict) {
+            match draw(&statements, &PLAIN, 48, Mode::Strict) {
                 Answer::Exact(again) => prop_assert_eq!(&again, &network, "{}\n{}", print(&network, drawing), all_shown(&statements)),
                 other => prop_assert!(false, "{}\n{}\n{:?}", print(&network, drawing), all_shown(&statements), other),
             }
@@ -297,7 +297,7 @@ proptest! {
         let mut random = Random(seed | 1);
         let statements = random_statements(&mut random);
         for mode in [Mode::Strict, Mode::Rewriting, Mode::RewritingConstants] {
-            let networks = match draw(&statements, &Plain, 800, mode) {
+            let networks = match draw(&statements, &PLAIN, 800, mode) {
                 Answer::Exact(network) => vec![network],
                 Answer::Equivalent(reading, _) => {
                     prop_assert!(!reading.rewrites.is_empty(), "{}", all_shown(&statements));
@@ -455,7 +455,7 @@ fn random_statements_are_drawn_in_every_way() {
     let mut seen: HashMap<String, usize> = HashMap::new();
     for _ in 0..3_000 {
         let statements = random_statements(&mut random);
-        match draw(&statements, &Plain, 800, Mode::RewritingConstants) {
+        match draw(&statements, &PLAIN, 800, Mode::RewritingConstants) {
             Answer::Exact(_) => *seen.entry("exact".to_owned()).or_default() += 1,
             Answer::Equivalent(reading, _) => {
                 for rewrite in reading.rewrites {
@@ -485,7 +485,7 @@ fn long_networks_are_read_and_written_in_linear_time() {
     for form in forms {
         let text = form(20_000);
         let statements = crate::statements::statements(&text);
-        if let Answer::Exact(network) = draw(&statements, &Plain, 160, Mode::Rewriting) {
+        if let Answer::Exact(network) = draw(&statements, &PLAIN, 160, Mode::Rewriting) {
             let line = print(&network, Drawing::Lad);
             // More elements than a network may have are read all the same, to be refused for that.
             assert!(parse(&line, 0, Flavour::S7).is_ok_and(|again| again == network) || line.len() > 50_000);
@@ -493,7 +493,7 @@ fn long_networks_are_read_and_written_in_linear_time() {
     }
     let taps: String = (0..5_000).map(|bit| format!("= L{}.{}; A L{}.{}; ", bit / 8, bit % 8, bit / 8, bit % 8)).collect();
     let nested = crate::statements::statements(&format!("A I0.0; {taps}= Q4.0"));
-    assert!(matches!(draw(&nested, &Plain, 0, Mode::Rewriting), Answer::No(_)), "T-branches do not nest without end");
+    assert!(matches!(draw(&nested, &PLAIN, 0, Mode::Rewriting), Answer::No(_)), "T-branches do not nest without end");
     let brackets = crate::statements::statements(&("A(; ".repeat(10_000) + "A I0.0; = Q4.0"));
-    assert!(matches!(draw(&brackets, &Plain, 0, Mode::Rewriting), Answer::No(refusal) if refusal.statement == 7));
+    assert!(matches!(draw(&brackets, &PLAIN, 0, Mode::Rewriting), Answer::No(refusal) if refusal.statement == 7));
 }

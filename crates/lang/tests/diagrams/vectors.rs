@@ -8,7 +8,7 @@ use sieben_lang::network::to_lad::to_lad;
 use sieben_lang::network::write::write;
 
 use crate::blocks::blocks_of;
-use crate::statements::{Plain, all_shown, first_scratch, statements};
+use crate::statements::{PLAIN, all_shown, first_scratch, statements};
 
 struct Row {
     id: String,
@@ -35,7 +35,7 @@ fn codes<T: ToString>(codes: impl IntoIterator<Item = T>) -> String {
 fn answer(row: &Row) -> String {
     let input = statements(&row.input);
     let drawing = if row.expected.starts_with("exact in FBD") { Drawing::Fbd } else { Drawing::Lad };
-    match draw(&input, &Plain, first_scratch(&input), Mode::Rewriting) {
+    match draw(&input, &PLAIN, first_scratch(&input), Mode::Rewriting) {
         Answer::Exact(network) if drawing == Drawing::Fbd => {
             let lad = match to_lad(&network) {
                 Ok((lad, rewrites)) => format!("equivalent {}: {}", codes(rewrites), print(&lad, Drawing::Lad)),
@@ -68,7 +68,7 @@ fn networks_are_drawn_as_the_table_has_them() {
 fn what_cannot_be_drawn_is_refused_at_the_statement_of_the_table() {
     let mut wrong = Vec::new();
     for row in rows().iter().filter(|row| row.kind == "why-not") {
-        let answer = match read(&statements(&row.input), &Plain, Mode::Strict) {
+        let answer = match read(&statements(&row.input), &PLAIN, Mode::Strict) {
             Ok(reading) => print(&reading.networks[0], Drawing::Lad),
             Err(refusal) => format!("{} at statement {}", refusal.reason, refusal.statement + 1),
         };
@@ -97,7 +97,7 @@ fn diagrams_stand_for_the_statements_of_the_table() {
                 let again = print(&network, drawing);
                 let program = statements(program);
                 let written = write(&network, first_scratch(&program), &mut labels).statements;
-                let same = difference(&program, &written, &Plain).is_some_and(|codes| codes.is_empty());
+                let same = difference(&program, &written, &PLAIN).is_some_and(|codes| codes.is_empty());
                 if again.replace(' ', "") != line.replace(' ', "") || !same {
                     wrong.push(format!(
                         "{} {line}\n  {again}\n  expected {}\n  written  {}",

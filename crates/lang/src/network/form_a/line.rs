@@ -1,7 +1,7 @@
 //! The lines of a diagram in form A: how far they are indented, what they say, their comments.
 
 use super::boxes::pin_of;
-use crate::network::operand::Operand;
+use crate::network::operand::{Operand, may_name_output};
 
 /// How many columns a tab goes on at most, and by how many spaces `fmt` indents.
 pub(super) const INDENT: usize = 4;
@@ -200,7 +200,8 @@ fn argument(part: &str, start: usize) -> Argument {
         [(_, only)] if !only.trim().is_empty() => one.input = input(only, start),
         _ => {}
     }
-    if one.name.is_none() && has_output && one.input.as_ref().is_some_and(|input| input.mark == Mark::Plain && is_name(&input.operand)) {
+    let may_be_name = |input: &Input| input.mark == Mark::Plain && names_output(&input.operand);
+    if one.name.is_none() && has_output && one.input.as_ref().is_some_and(may_be_name) {
         // A word alone before `=>` may be the name of an output.
         one.name = one.input.take().map(|input| input.operand);
     }
@@ -222,6 +223,11 @@ fn input(part: &str, start: usize) -> Option<Input> {
     };
     let operand = operand(written, start);
     (!operand.text.is_empty()).then_some(Input { operand, mark })
+}
+
+/// What stands before `=>` may be the name of an output.
+fn names_output(written: &str) -> bool {
+    is_name(written) && (written.starts_with('"') || may_name_output(written))
 }
 
 /// A word or a name in quotes, as pins are named.

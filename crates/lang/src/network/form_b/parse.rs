@@ -483,9 +483,6 @@ impl Parser<'_> {
     }
 
     fn condition(&mut self, from: usize) -> Parsed<Line> {
-        if self.scan.flavour == Flavour::Iec {
-            return self.scan.wrong_at(from, "a comparison is a box: `GT(a, b)`");
-        }
         self.scan.space();
         let at = self.scan.at;
         let rest = self.scan.rest();
@@ -495,6 +492,10 @@ impl Parser<'_> {
             self.scan.at += bit.len();
             self.scan.want("]", "`]` is missing after the status bit")?;
             return self.one(Kind::contact(Operand { text: (*bit).to_owned(), start: Some(place.first) }, false), from);
+        }
+        // In IEC 61131-3 a status bit is a name like any other.
+        if self.scan.flavour == Flavour::Iec {
+            return self.scan.wrong_at(from, "a comparison is a box: `GT(a, b)`");
         }
         let left = self.scan.operand()?;
         self.scan.space();

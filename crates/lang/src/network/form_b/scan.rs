@@ -146,6 +146,12 @@ impl<'t> Scanner<'t> {
         self.space();
         let from = self.at;
         self.operand_part()?;
+        if self.flavour == Flavour::Iec
+            && let Some((sign, instead)) = operator(self.text.get(from..self.at).unwrap_or_default(), self.rest())
+        {
+            let message = format!("`{sign}` belongs to an expression of Structured Text; in a line of a diagram {instead}");
+            return self.wrong_at(from, message);
+        }
         if self.at == from || self.text.get(from..self.at) == Some(".") {
             self.at = from;
             return self.wrong("an operand is missing here");
@@ -265,4 +271,32 @@ fn begins_with_unit(text: &str) -> bool {
 
 fn ends_with_unit(text: &str) -> bool {
     text.rsplit(char::is_whitespace).next().is_some_and(|word| UNITS.iter().any(|unit| word.eq_ignore_ascii_case(unit)))
+}
+
+/// Operators of Structured Text, and what stands for them in a line.
+const OPERATORS: [(&str, &str); 15] = [
+    ("<", "it is a box, `LT(a, b)`, or a contact of form A, `NO a < b`"),
+    (">", "it is a box, `GT(a, b)`, or a contact of form A, `NO a > b`"),
+    ("=", "it is a box, `EQ(a, b)`, or a contact of form A, `NO a = b`, and coils stand after `->`"),
+    ("<>", "it is a box, `NE(a, b)`, or a contact of form A, `NO a <> b`"),
+    ("<=", "it is a box, `LE(a, b)`, or a contact of form A, `NO a <= b`"),
+    (">=", "it is a box, `GE(a, b)`, or a contact of form A, `NO a >= b`"),
+    ("+", "a sum has no spaces, `a+b`"),
+    ("-", "a difference has no spaces, `a-b`"),
+    ("*", "a product has no spaces, `a*b`"),
+    ("**", "a power has no spaces, `a**b`"),
+    ("&", "a space is AND"),
+    ("AND", "a space is AND"),
+    ("OR", "OR is `(a | b)`"),
+    ("XOR", "exclusive OR is `xor(a, b)`, and only FBD has it"),
+    ("MOD", "it is a box, `MOD(a, b)`"),
+];
+
+/// An operator where an operand is wanted, and what stands for it; comparisons end what was read.
+fn operator(read: &str, rest: &str) -> Option<(&'static str, &'static str)> {
+    let word = match read {
+        "" => rest.find(|sign| !matches!(sign, '<' | '>' | '=')).map_or(rest, |end| &rest[..end]),
+        read => read,
+    };
+    OPERATORS.iter().copied().find(|(sign, _)| sign.eq_ignore_ascii_case(word))
 }

@@ -3,6 +3,7 @@
 mod boxes;
 pub mod compare;
 mod logic;
+pub mod notation;
 mod prepare;
 mod rung;
 

@@ -14,6 +14,7 @@ use super::blocks::{Keyword, keyword_of};
 use crate::network::flavour::{Drawing, Flavour};
 use crate::network::form_a;
 use crate::network::form_b;
+use crate::network::memories::memories;
 use crate::network::mistake::{Mistake, MistakeKind};
 use crate::network::model::{Content, Network};
 use crate::network::operand::Operand as Written;
@@ -150,6 +151,7 @@ impl Parser<'_> {
         if network.content == Content::Empty && network.label.is_none() {
             return;
         }
+        self.remembers(network, drawing, block);
         let written = write::write(network, 0, &mut self.generated_labels);
         let mut read = Operands::new();
         for (statement, pin) in written.statements.into_iter().zip(written.pins) {
@@ -158,6 +160,24 @@ impl Parser<'_> {
             if let Some(network) = block.networks.last_mut() {
                 network.pins.push(pin);
             }
+        }
+    }
+
+    /// Warns where a second element uses a timer, a counter or an edge memory.
+    fn remembers(&mut self, network: &Network, drawing: Drawing, block: &Block) {
+        let number = block.networks.len().max(1);
+        for (memory, operand, place) in memories(network) {
+            let span = self.span(place.first as usize, place.last as usize);
+            let name: String = operand.chars().filter(|sign| !sign.is_whitespace()).flat_map(char::to_uppercase).collect();
+            let key = (memory, name);
+            let Some(&(first, network)) = self.memories.get(&key) else {
+                self.memories.insert(key, (span, number));
+                continue;
+            };
+            let message = format!("{} network {number}: {}, first used in network {network}", drawing.word(), memory.used_twice(operand));
+            let mut diagnostic = Diagnostic::new(Problem::P2443, span, message).help(memory.instead());
+            diagnostic.related.push((first, "first used here".to_owned()));
+            self.report(diagnostic);
         }
     }
 
@@ -224,7 +244,7 @@ impl Parser<'_> {
         if text.is_empty() {
             return Operand::None;
         }
-        if let Some(bit) = scratch_number(text) {
+        if let Some(bit) = write::scratch_number(text) {
             return Operand::Scratch { bit };
         }
         if let Ok(number) = text.parse::<i16>() {
@@ -259,12 +279,6 @@ pub(in crate::stl) fn layout(text: &str) -> String {
         return form_a::format(text, 0, text.len(), &form_a::parse(text, 0, text.len(), Flavour::S7));
     }
     form_a::written_lines(text).map(|line| format!("{}\n", line.trim())).collect()
-}
-
-/// The number of a scratch bit in its network.
-fn scratch_number(text: &str) -> Option<u32> {
-    let (byte, bit) = text.strip_prefix('L')?.trim_start().split_once('.')?;
-    Some(byte.parse::<u32>().ok()? * 8 + bit.parse::<u32>().ok()?)
 }
 
 /// Where an operand ends in the text that it was read from: it may have more spaces there.
