@@ -18,7 +18,6 @@ mod glob;
 mod instances;
 mod local_check;
 mod names;
-mod nearest;
 mod online_change;
 mod output;
 mod panics;
@@ -180,7 +179,7 @@ fn wrong_command_line(error: &clap::Error) {
         text.lines().take_while(|line| !line.starts_with("Usage:")).map(str::trim).filter(|line| !line.is_empty()).collect();
     let message = paragraph.join(" ").trim_start_matches("error: ").to_owned();
     let mut failure = Failure::usage(Problem::P7001, message);
-    failure.help = hint(error).map(|hint| hint.trim().to_owned());
+    failure.refusal.help = hint(error).map(|hint| hint.trim().to_owned());
     let list = report::failure_to_json(&failure);
     if std::env::args_os().nth(1).is_some_and(|verb| verb == "check") {
         // Nobody can be told if printing fails.

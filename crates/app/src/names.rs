@@ -7,7 +7,7 @@ use sieben_model::symbols::SymbolTable;
 use sieben_sim::names::{Name, NameError, Setting, Shown};
 
 use crate::failure::Failure;
-use crate::nearest::nearest;
+use sieben_workspace::nearest::nearest;
 
 /// Splits a list of names at commas outside brackets and quotes: `MW 10,DB1.field[1,2],"a,b"`.
 pub(crate) fn split_list(list: &str) -> Vec<&str> {

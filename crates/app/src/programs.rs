@@ -334,8 +334,8 @@ impl Folder {
         let links = self.links_outside.iter().map(|path| Finding::outside(&shown(path)));
         let stray = self.tests.iter().filter(|test| test.tests == Tested::Nothing && !is_scenario(&test.path)).map(|test| {
             let failure = self.stray(&test.path);
-            let mut finding = Finding::file(failure.problem, shown(&test.path), failure.message);
-            finding.diagnostic.help = failure.help;
+            let mut finding = Finding::file(failure.refusal.problem, shown(&test.path), failure.refusal.message);
+            finding.diagnostic.help = failure.refusal.help;
             finding
         });
         links.chain(stray).collect()

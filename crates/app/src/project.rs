@@ -341,8 +341,8 @@ impl Project {
         let file = match crate::symbol_files::read(path, self.encoding, &mut self.texts.documents) {
             Ok(file) => file,
             // What lies inside the project is a matter of the project, not of the command line.
-            Err(failure) if failure.problem == Problem::P1101 => {
-                self.findings.push(Finding::file(failure.problem, shown(path), failure.message));
+            Err(failure) if failure.refusal.problem == Problem::P1101 => {
+                self.findings.push(Finding::file(failure.refusal.problem, shown(path), failure.refusal.message));
                 return Ok(());
             }
             Err(failure) => return Err(failure),
@@ -391,7 +391,7 @@ impl Project {
 fn no_match(pattern: &str, span: Span, listing: &Listing<'_>) -> Diagnostic {
     let diagnostic = Diagnostic::new(Problem::P6011, span, format!("no file matches `{pattern}`"));
     let paths: Vec<String> = listing.files.iter().map(|path| slashed(path)).collect();
-    match crate::nearest::nearest(pattern, paths.iter().map(String::as_str)) {
+    match sieben_workspace::nearest::nearest(pattern, paths.iter().map(String::as_str)) {
         Some(near) => diagnostic.help(format!("did you mean `{near}`?")),
         None => diagnostic,
     }

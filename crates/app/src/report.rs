@@ -15,7 +15,9 @@ use sieben_model::problems::Problem;
 use sieben_model::source::{FileId, SourceFile, Sources, Span};
 use sieben_model::visible::{self, visible};
 
-use crate::failure::{Failure, capitalized};
+use sieben_workspace::refusal::capitalized;
+
+use crate::failure::Failure;
 use crate::output;
 
 /// Most diagnostics shown on a terminal: behind the first hundred the rest is mostly their consequence.
@@ -282,8 +284,8 @@ fn repeats(help: &str, said: &str) -> bool {
 
 /// A command that cannot go on, as a list with one finding, which is how `--json` prints all that is wrong.
 pub(crate) fn failure_to_json(failure: &Failure) -> Value {
-    let mut finding = Finding::file(failure.problem, String::new(), failure.message.clone());
-    finding.diagnostic.help.clone_from(&failure.help);
+    let mut finding = Finding::file(failure.refusal.problem, String::new(), failure.refusal.message.clone());
+    finding.diagnostic.help.clone_from(&failure.refusal.help);
     to_json(&[finding], &Texts::default())
 }
 

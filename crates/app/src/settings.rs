@@ -22,8 +22,8 @@ use sieben_sim::duration::CYCLE_MAX;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use crate::nearest::{nearest, one_of};
 use modules::Module;
+use sieben_workspace::nearest::{nearest, one_of};
 
 /// Name of the file that makes a folder a project.
 pub(crate) const FILE_NAME: &str = "sieben.toml";

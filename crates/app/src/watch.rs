@@ -232,7 +232,7 @@ impl Looking {
     fn compile(&mut self) -> Found {
         let project = match self.program.load(&self.paths) {
             Ok(project) => project,
-            Err(failure) => return Found::Broken(format!("{}\n", visible(&failure.message))),
+            Err(failure) => return Found::Broken(format!("{}\n", visible(&failure.refusal.message))),
         };
         let build = project.compile(self.overrides, false);
         self.sources = sources(&build);

@@ -5,9 +5,12 @@
 
 pub mod driver;
 pub mod gate;
+pub mod nearest;
 pub mod pace;
+pub mod refusal;
 pub mod status;
 
 pub use driver::{Driver, End, Surroundings};
 pub use gate::{Closed, Gate, Plant};
 pub use pace::{Pace, Speed};
+pub use refusal::Refusal;

@@ -87,8 +87,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         if arguments.format() == Format::Text {
             return Err(failure);
         }
-        let mut finding = Finding::file(failure.problem, String::new(), failure.message);
-        finding.diagnostic.help = failure.help;
+        let mut finding = Finding::file(failure.refusal.problem, String::new(), failure.refusal.message);
+        finding.diagnostic.help = failure.refusal.help;
         print(arguments.format(), &[finding], &Texts::default())?;
         Ok(failure.exit)
     })

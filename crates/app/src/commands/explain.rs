@@ -26,8 +26,8 @@ use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
 
 use crate::failure::{Exit, Failure};
-use crate::nearest::nearest;
 use crate::output;
+use sieben_workspace::nearest::nearest;
 
 /// The nine bits of the status word: name, other spellings, what it holds.
 const STATUS_BITS: &[(&str, &[&str], &str)] = &[

@@ -125,7 +125,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         let stamps = watch::stamps(&watched);
         // What is wrong may be mended while we look.
         if let Err(failure) = once(arguments) {
-            output::message(&format!("{}\n", failure.message));
+            output::message(&format!("{}\n", failure.refusal.message));
         }
         output::message("Waiting for a change; Ctrl+C ends.\n");
         watch::wait_for_change(&watched, &stamps);

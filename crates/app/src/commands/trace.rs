@@ -14,6 +14,7 @@ use sieben_sim::timing_diagram::{self, Mark, Options, SVG_WIDTH, TEXT_WIDTH, WID
 use sieben_sim::trace::recorder::BEFORE_MAX;
 use sieben_sim::trace::trigger::TriggerError;
 use sieben_sim::trace::{Keep, Moment, Recorder, Store, Trace, TraceError, Trigger, csv, vcd};
+use sieben_workspace::Refusal;
 
 use crate::arguments::{FaultArguments, ProgramArguments};
 use crate::duration::duration_argument;
@@ -303,7 +304,7 @@ fn draw(arguments: &Arguments, from: &Path, paths: &[PathBuf]) -> Result<Exit, F
     }
     let trace = Trace::open(Box::new(Disk::open(from)?)).map_err(|error| {
         let failure = unreadable(&error);
-        Failure { message: format!("`{}`: {}", from.display(), failure.message), ..failure }
+        Failure::usage(failure.refusal.problem, format!("`{}`: {}", from.display(), failure.refusal.message))
     })?;
     if !paths.is_empty() {
         let build = match super::or_report(arguments.program.load(paths)?.compile(arguments.program.overrides()?, false), arguments.json) {
@@ -518,7 +519,7 @@ fn told(arguments: &Arguments, build: &Build, outcome: &Outcome) -> Result<Exit,
     if outcome.untriggered {
         let (trigger, scans) = (arguments.trigger.as_deref().unwrap_or_default(), outcome.scans);
         let message = format!("`{trigger}` did not come in {scans} scans; shown are the last of them");
-        return Err(Failure { exit: Exit::CheckFailed, ..Failure::usage(Problem::P7031, message) });
+        return Err(Failure { exit: Exit::CheckFailed, refusal: Refusal::new(Problem::P7031, message) });
     }
     Ok(if outcome.failures.is_empty() { Exit::Success } else { Exit::CheckFailed })
 }

@@ -10,7 +10,7 @@ use super::{Direction, Language, LocalValue, STATEMENTS_MAX, Stepper, Unit, Who}
 use crate::controller;
 use crate::failure::Failure;
 use crate::names as command_names;
-use crate::nearest::{nearest, one_of};
+use sieben_workspace::nearest::{nearest, one_of};
 
 /// Longest line that is read as a command.
 pub(crate) const LINE_MAX: usize = 4096;

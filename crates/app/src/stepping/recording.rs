@@ -177,7 +177,8 @@ pub(crate) fn read(text: &str, build: &Build, parse: impl Fn(&str) -> Result<Nam
                     Some((at, rest)) => (Some(at.parse().map_err(|_| wrong(number, "`@` is followed by a number of statements"))?), rest),
                     None => (None, rest),
                 };
-                let (name, value) = crate::names::split_assignment(assignment).map_err(|failure| wrong(number, &failure.message))?;
+                let (name, value) =
+                    crate::names::split_assignment(assignment).map_err(|failure| wrong(number, &failure.refusal.message))?;
                 let name = parse(name).map_err(|message| wrong(number, &message))?;
                 let setting = Setting::new(name, value).map_err(|error| wrong(number, &error.to_string()))?;
                 actions.push((Action::Set(setting), at));

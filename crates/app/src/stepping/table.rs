@@ -10,7 +10,7 @@ use sieben_sim::names::{Name, Setting};
 use super::commands::Answer;
 use super::{Change, Language, Line, LocalValue, Stepper, View, Who, texts};
 use crate::failed::{self, Failed};
-use crate::failure::{Failure, capitalized};
+use crate::failure::{self, Failure};
 use crate::{controller, names};
 
 /// The head of the columns.
@@ -201,12 +201,12 @@ fn who_text(stepper: &mut Stepper<'_>, name: &Name, who: Option<&Who>) -> String
 
 /// A command that could not be carried out, as people read it.
 pub(crate) fn failure(failure: &Failure, colour: bool, language: Language) -> String {
-    let german = texts::HELP_GERMAN.iter().find(|(code, _)| *code == failure.problem.code());
+    let german = texts::HELP_GERMAN.iter().find(|(code, _)| *code == failure.refusal.problem.code());
     let help = match language {
-        Language::German => german.map_or(failure.problem.help(), |(_, help)| help),
-        Language::English => failure.problem.help(),
+        Language::German => german.map_or(failure.refusal.problem.help(), |(_, help)| help),
+        Language::English => failure.refusal.problem.help(),
     };
-    failure.render_with(colour, texts::pick(language, texts::ERROR), texts::pick(language, texts::HELP_WORD), help)
+    failure::render(&failure.refusal, colour, texts::pick(language, texts::ERROR), texts::pick(language, texts::HELP_WORD), help)
 }
 
 fn line_json(line: &Line) -> Value {
@@ -304,6 +304,6 @@ pub(crate) fn answer_json(stepper: &mut Stepper<'_>, command: &str, answer: &Ans
 
 /// A command that could not be carried out.
 pub(crate) fn failure_json(command: &str, failure: &Failure) -> Value {
-    let help = failure.help.as_deref().unwrap_or(failure.problem.help());
-    json!({ "command": command, "error": { "code": failure.problem.code(), "message": failure.message, "help": capitalized(help) } })
+    let refusal = &failure.refusal;
+    json!({ "command": command, "error": { "code": refusal.problem.code(), "message": refusal.message, "help": refusal.shown_help() } })
 }

@@ -100,7 +100,7 @@ fn no_line_of_commands_breaks_the_stepper() {
                     let _ = table::answer_json(&mut stepper, line, &answer);
                 }
                 Err(failure) => {
-                    prop_assert!(!failure.message.is_empty());
+                    prop_assert!(!failure.refusal.message.is_empty());
                     prop_assert_eq!(before, stepper.history().position());
                 }
             }

@@ -10,7 +10,7 @@ use sieben_model::visible;
 use super::{Finished, Verdict, Wrong};
 use crate::duration;
 use crate::failed::Failed;
-use crate::failure::{Exit, Failure, capitalized};
+use crate::failure::{Exit, Failure};
 
 /// How many tests ended how.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -85,8 +85,8 @@ fn why(verdict: &Verdict) -> Option<(String, Vec<String>)> {
 
 /// What is wrong with a file, and what to do.
 fn misread(failure: &Failure) -> (String, Vec<String>) {
-    let help = failure.help.as_deref().unwrap_or(failure.problem.help());
-    (failure.message.clone(), vec![format!("[{}] {}", failure.problem.code(), capitalized(help))])
+    let refusal = &failure.refusal;
+    (refusal.message.clone(), vec![format!("[{}] {}", refusal.problem.code(), refusal.shown_help())])
 }
 
 fn plural(count: u64, word: &str) -> String {
@@ -222,12 +222,12 @@ fn one_to_json(test: &Finished, seconds: f64) -> Value {
         Verdict::Passed | Verdict::NoTest => None,
         Verdict::Failed(wrong) => Some(wrong.message.clone()),
         Verdict::DoesNotCompile(findings) => Some(findings.concat()),
-        Verdict::Unreadable(failure) => Some(failure.message.clone()),
-        Verdict::Misread(failures) => failures.first().map(|failure| failure.message.clone()),
+        Verdict::Unreadable(failure) => Some(failure.refusal.message.clone()),
+        Verdict::Misread(failures) => failures.first().map(|failure| failure.refusal.message.clone()),
     };
     let problem = match &test.outcome.verdict {
-        Verdict::Unreadable(failure) => Some(failure.problem.code()),
-        Verdict::Misread(failures) => failures.first().map(|failure| failure.problem.code()),
+        Verdict::Unreadable(failure) => Some(failure.refusal.problem.code()),
+        Verdict::Misread(failures) => failures.first().map(|failure| failure.refusal.problem.code()),
         _ => None,
     };
     let mut object = json!({
