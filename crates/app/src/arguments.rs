@@ -12,12 +12,12 @@ use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
 use sieben_model::profile::Profile;
 use sieben_sim::wrap::{self, Fault};
+use sieben_workspace::settings::{self, modules::Module};
 
 use crate::document::Document;
 use crate::failure::Failure;
 use crate::project::{Overrides, Project};
-use crate::settings::modules::Module;
-use crate::{files, output, settings};
+use crate::{files, output};
 
 /// What every verb that compiles a program takes.
 #[derive(Args, Clone, Debug)]

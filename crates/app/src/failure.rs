@@ -1,7 +1,9 @@
 //! Why a command ends without its result: the exit codes and the message behind them.
 
+use serde_json::Value;
 use sieben_model::problems::Problem;
 use sieben_model::visible::visible;
+use sieben_workspace::finding::{self, Finding, Texts};
 use sieben_workspace::refusal::{Refusal, capitalized};
 
 /// How a command ends.
@@ -46,6 +48,10 @@ impl Failure {
     pub(crate) fn help(mut self, help: impl Into<String>) -> Self {
         self.refusal.help = Some(help.into());
         self
+    }
+    /// As a list with one finding, which is how `--json` prints all that is wrong.
+    pub(crate) fn to_json(&self) -> Value {
+        finding::to_json(&[Finding::refused("", self.refusal.clone())], &Texts::default())
     }
     /// The message as it is printed when it belongs to no place in a source.
     pub(crate) fn render(&self, colour: bool) -> String {

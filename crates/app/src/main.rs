@@ -30,7 +30,6 @@ mod retain;
 mod rewriting;
 mod schedule;
 mod screen;
-mod settings;
 mod stepping;
 mod symbol_files;
 mod terminal;
@@ -157,7 +156,7 @@ fn run(line: CommandLine) -> Exit {
     };
     result.unwrap_or_else(|failure: Failure| {
         match wants_json() {
-            true => output::message(&format!("{:#}\n", report::failure_to_json(&failure))),
+            true => output::message(&format!("{:#}\n", failure.to_json())),
             false => output::styled(&failure.render(output::colour())),
         }
         failure.exit
@@ -180,7 +179,7 @@ fn wrong_command_line(error: &clap::Error) {
     let message = paragraph.join(" ").trim_start_matches("error: ").to_owned();
     let mut failure = Failure::usage(Problem::P7001, message);
     failure.refusal.help = hint(error).map(|hint| hint.trim().to_owned());
-    let list = report::failure_to_json(&failure);
+    let list = failure.to_json();
     if std::env::args_os().nth(1).is_some_and(|verb| verb == "check") {
         // Nobody can be told if printing fails.
         let _ = output::print_json(&list, true);

@@ -17,14 +17,14 @@ use sieben_model::problems::Problem;
 use sieben_model::profile::Profile;
 use sieben_model::source::{FileId, Span};
 use sieben_model::symbols::SymbolTable;
+use sieben_workspace::finding::{self, Finding, Texts};
+use sieben_workspace::settings::{self, Placed, Settings};
 
 use crate::failure::Failure;
 use crate::files;
 use crate::glob::Pattern;
 use crate::paths::{Listing, is_awlsim_project, is_scenario, is_source, is_symbols, is_test, join, leaves_folder, shown, slashed};
 use crate::programs::{self, Folder, Kind, is_symbols_by_default};
-use crate::report::{self, Finding, Texts};
-use crate::settings::{self, Placed, Settings};
 
 /// What the command line says about a program.
 #[derive(Clone, Copy, Debug, Default)]
@@ -198,7 +198,7 @@ impl Project {
         findings.extend(self.settings.retain.beyond(cpu).into_iter().map(Finding::document));
         findings.extend(settings::modules::problems(&self.settings.modules, cpu).into_iter().map(Finding::document));
         findings.extend(compiled.diagnostics.iter().cloned().map(Finding::program));
-        report::sort(&mut findings);
+        finding::sort(&mut findings);
         findings.iter_mut().for_each(|finding| finding.strict = overrides.strict);
         Build { project: self, compiled, cpu, findings }
     }
@@ -373,7 +373,7 @@ impl Project {
     /// A program needs at least one source with something in it.
     fn require_text(&mut self, paths: &[PathBuf]) {
         let blank = |source: &SourceFile| source.decoded.text.trim().is_empty();
-        if report::has_errors(&self.findings) || !self.sources.iter().all(blank) {
+        if finding::has_errors(&self.findings) || !self.sources.iter().all(blank) {
             return;
         }
         self.findings.retain(|finding| finding.diagnostic.problem != Problem::P6004);

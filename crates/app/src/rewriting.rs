@@ -8,10 +8,11 @@ use sieben_lang::encoding::{self, Encoding};
 use sieben_model::diagnostic::Diagnostic;
 use sieben_model::problems::Problem;
 use sieben_model::source::{FileId, Span};
+use sieben_workspace::finding::{self, Finding};
 
 use crate::failure::{Exit, Failure};
 use crate::project::{Project, SourceFile};
-use crate::report::{self, Finding};
+use crate::report;
 use crate::{files, output};
 
 /// What to do with the new text.
@@ -66,12 +67,12 @@ impl Rewriting {
                 }
             }
         }
-        report::sort(&mut findings);
+        finding::sort(&mut findings);
         if !findings.is_empty() {
             report::print(&findings, &project.texts, false);
         }
         Ok(match () {
-            () if report::has_errors(&findings) => Exit::DoesNotCompile,
+            () if finding::has_errors(&findings) => Exit::DoesNotCompile,
             () if differing && self.destination == Destination::Check => Exit::CheckFailed,
             () => Exit::Success,
         })

@@ -10,12 +10,12 @@ use sieben_model::symbols::SymbolTable;
 use sieben_sim::duration::CYCLE_MAX;
 use sieben_sim::names::Setting;
 use sieben_sim::scenario::{Scenario, Times};
+use sieben_workspace::settings::Settings;
 
 use crate::duration;
 use crate::duration::{cycle_argument, duration_argument};
 use crate::failure::Failure;
 use crate::names;
-use crate::settings::Settings;
 
 /// From one scan to the next, if nobody says otherwise.
 const USUAL_CYCLE: Duration = Duration::from_millis(10);

@@ -6,10 +6,10 @@ use sieben_lang::encoding::{self, Encoding};
 use sieben_lang::symbols::{self, Format};
 use sieben_model::problems::Problem;
 use sieben_model::source::Sources;
+use sieben_workspace::finding::Finding;
 
 use crate::failure::Failure;
 use crate::files;
-use crate::report::Finding;
 
 /// A symbol table as it lies on the disk.
 pub(crate) struct SymbolFile {

@@ -12,12 +12,13 @@ use sieben_cpu::{Cpu, Loaded, OnlineChange};
 use sieben_jit::StatusBits;
 use sieben_model::cpu_type::CpuType;
 use sieben_model::visible::visible;
+use sieben_workspace::finding;
+use sieben_workspace::settings::Settings;
 
 use crate::arguments::ProgramArguments;
 use crate::engines::EngineArgument;
 use crate::failure::Failure;
 use crate::project::{Build, Overrides};
-use crate::settings::Settings;
 use crate::{online_change, output, paths, report};
 
 /// How often the files are looked at. A change is taken when the next look finds it finished.
@@ -161,7 +162,7 @@ pub(crate) fn stamps(paths: &[PathBuf]) -> Stamps {
     let mut files: BTreeSet<PathBuf> = BTreeSet::new();
     for path in paths {
         if path.is_dir() {
-            files.insert(path.join(crate::settings::FILE_NAME));
+            files.insert(path.join(sieben_workspace::settings::FILE_NAME));
             let below = paths::files_below(path).unwrap_or_default();
             files.extend(below.into_iter().filter(|file| paths::is_program(file) || paths::is_test(file) || paths::is_symbols(file)));
         } else {
@@ -236,7 +237,7 @@ impl Looking {
         };
         let build = project.compile(self.overrides, false);
         self.sources = sources(&build);
-        if report::has_errors(&build.findings) {
+        if finding::has_errors(&build.findings) {
             return Found::Broken(report::render(&build.findings, &build.project.texts, output::colour()));
         }
         if *build.cpu != *self.cpu {
@@ -244,7 +245,10 @@ impl Looking {
         }
         if self.settings != build.project.settings {
             self.settings = build.project.settings.clone();
-            output::message(&format!("What `{}` says beside the files takes effect with the next start.\n", crate::settings::FILE_NAME));
+            output::message(&format!(
+                "What `{}` says beside the files takes effect with the next start.\n",
+                sieben_workspace::settings::FILE_NAME
+            ));
         }
         let program = Arc::new(build.compiled.program.clone());
         let load = |program: &_, layout: &_| self.engine.load(program, layout, StatusBits::Needed);

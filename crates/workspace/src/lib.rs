@@ -4,10 +4,12 @@
 #![forbid(unsafe_code)]
 
 pub mod driver;
+pub mod finding;
 pub mod gate;
 pub mod nearest;
 pub mod pace;
 pub mod refusal;
+pub mod settings;
 pub mod status;
 
 pub use driver::{Driver, End, Surroundings};

@@ -9,6 +9,7 @@ use sieben_engine::{FaultPlace, LocalAccess, Machine, StatementEvent, Tracer};
 use sieben_jit::StatusBits;
 use sieben_sim::names::Name;
 use sieben_sim::trace::Moment;
+use sieben_workspace::finding::Finding;
 
 use crate::arguments::{DiagnosticsArgument, FaultArguments, ProgramArguments, StrictArgument};
 use crate::diagrams::{Diagrams, Form, LastMoment};
@@ -19,7 +20,7 @@ use crate::local_check::LocalCheck;
 use crate::names;
 use crate::places::Places;
 use crate::project::Build;
-use crate::report::{self, Finding};
+use crate::report;
 use crate::schedule::ScheduleArguments;
 use crate::{controller, duration, output};
 

@@ -320,8 +320,8 @@ fn draw(arguments: &Arguments, from: &Path, paths: &[PathBuf]) -> Result<Exit, F
     if !trace.is_whole() {
         let message = format!("`{}` was cut off: {} scans are whole", from.display(), trace.summary().scans);
         report::print(
-            &[crate::report::Finding::file(Problem::P6263, from.to_string_lossy(), message)],
-            &crate::report::Texts::default(),
+            &[sieben_workspace::finding::Finding::file(Problem::P6263, from.to_string_lossy(), message)],
+            &sieben_workspace::finding::Texts::default(),
             false,
         );
     }

@@ -12,11 +12,11 @@ use sieben_model::block::BlockId;
 use sieben_model::cpu_type::CpuType;
 use sieben_model::diagnostic::Diagnostic;
 use sieben_model::problems::Problem;
+use sieben_workspace::finding::Finding;
+use sieben_workspace::settings::{Settings, WATCHDOG};
 
 use super::{Project, SourceFile};
 use crate::failure::Failure;
-use crate::report::Finding;
-use crate::settings::{Settings, WATCHDOG};
 use crate::{files, paths};
 
 /// The columns of a symbol table without headings.

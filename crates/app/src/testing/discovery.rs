@@ -4,13 +4,13 @@ use std::path::{Path, PathBuf};
 
 use sieben_lang::encoding::Encoding;
 use sieben_model::problems::Problem;
+use sieben_workspace::settings;
 
 use super::{Case, Conditions, Outcome, Verdict, scenario, self_checking, unit};
 use crate::failure::Failure;
 use crate::paths::{self, folder_of, is_scenario, is_source};
 use crate::programs::{self, Folder, Kind, Tested};
 use crate::project::Project;
-use crate::settings;
 
 /// The tests that were found.
 #[derive(Default)]

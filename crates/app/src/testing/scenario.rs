@@ -17,6 +17,7 @@ use sieben_sim::runner::{Watcher, Writers};
 use sieben_sim::scenario::{Difference, Happened, Onlooker, Scenario, ScenarioError};
 use sieben_sim::timing_diagram::{Mark, Options};
 use sieben_sim::trace::{Channel, Keep, Memory, Moment, Origin, Recorder, Trace};
+use sieben_workspace::finding;
 
 use super::coverage::{Counting, Looking, looking};
 use super::last_change;
@@ -73,7 +74,7 @@ fn run(program: &[PathBuf], file: &Path, named: bool, conditions: &Conditions) -
     let overrides =
         Overrides { cpu: conditions.overrides.cpu.or(scenario.cpu), counted: conditions.coverage.is_some(), ..conditions.overrides };
     let build = project.compile(overrides, false);
-    if report::has_errors(&build.findings) {
+    if finding::has_errors(&build.findings) {
         return nothing_ran(Verdict::DoesNotCompile(report::parts(&build.findings, &build.project.texts)));
     }
     if let Some(failure) = missing(&build, &scenario, file, conditions) {

@@ -13,6 +13,7 @@ use sieben_model::source::FileId;
 use sieben_ide::cross_reference::CrossReference;
 use sieben_ide::target::Target;
 use sieben_model::block::{BlockId, BlockKind};
+use sieben_workspace::finding;
 
 use super::coverage::{Counting, looking};
 use super::time_limit::TimeLimit;
@@ -39,7 +40,7 @@ pub(crate) fn run(paths: &[PathBuf], test: Option<&PathBuf>, named: bool, condit
     // A program that checks itself cannot do without the words for it.
     let overrides = Overrides { extended: true, replacing: test.is_some(), counted: conditions.coverage.is_some(), ..conditions.overrides };
     let build = project.compile(overrides, false);
-    if report::has_errors(&build.findings) {
+    if finding::has_errors(&build.findings) {
         return nothing_ran(Verdict::DoesNotCompile(report::parts(&build.findings, &build.project.texts)));
     }
     if !named && !checks_itself(&build) {
@@ -97,7 +98,7 @@ fn tracer<'a>(counting: &'a mut Option<Counting<'_>>) -> Option<&'a mut dyn Trac
 pub(crate) fn is_test(paths: &[PathBuf], conditions: &Conditions) -> bool {
     let Ok(project) = Project::load(paths, conditions.encoding) else { return true };
     let build = project.compile(Overrides { extended: true, ..conditions.overrides }, false);
-    report::has_errors(&build.findings) || checks_itself(&build)
+    finding::has_errors(&build.findings) || checks_itself(&build)
 }
 
 /// Whether a program has an assertion or an end: nothing else makes it a test.

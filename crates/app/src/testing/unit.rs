@@ -15,6 +15,7 @@ use sieben_sim::names::Name;
 use sieben_sim::runner::{self, Limits, Watcher, Writers};
 use sieben_sim::timing_diagram;
 use sieben_sim::trace::{Keep, Memory, Origin, Recorder, Trace};
+use sieben_workspace::finding;
 
 use super::coverage::{Counting, Looking, looking};
 use super::last_change;
@@ -82,7 +83,7 @@ fn compile(program: &[PathBuf], file: &Path, conditions: &Conditions) -> Result<
     let project = Project::load(&all, conditions.encoding).map_err(Verdict::Unreadable)?;
     let overrides = Overrides { tests: true, counted: conditions.coverage.is_some(), ..conditions.overrides };
     let build = project.compile(overrides, false);
-    if report::has_errors(&build.findings) {
+    if finding::has_errors(&build.findings) {
         return Err(Verdict::DoesNotCompile(report::parts(&build.findings, &build.project.texts)));
     }
     // A CPU type lives as long as the process; there are no more of them than test files.

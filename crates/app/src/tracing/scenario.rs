@@ -8,10 +8,11 @@ use sieben_cpu::{IoModule, Rack, SimulatedModule};
 use sieben_model::problems::Problem;
 use sieben_sim::scenario::Scenario;
 use sieben_sim::trace::{self, Origin};
+use sieben_workspace::finding::{Finding, Texts};
 
 use crate::failure::{Exit, Failure};
 use crate::project::Build;
-use crate::report::{self, Finding, Texts};
+use crate::report;
 use crate::schedule::ScheduleArguments;
 use crate::{controller, files, output, paths};
 

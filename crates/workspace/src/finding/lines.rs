@@ -5,7 +5,7 @@ use sieben_model::diagnostic::Severity;
 use super::{Finding, Origin, Texts, help_of};
 
 /// `line4.awl:3:5: error[P1005]: …`, one line each.
-pub(crate) fn concise(findings: &[Finding], texts: &Texts) -> String {
+pub fn concise(findings: &[Finding], texts: &Texts) -> String {
     let line = |finding: &Finding| {
         let (file, place) = place(finding, texts);
         let place = place.map_or_else(String::new, |(line, column)| format!("{line}:{column}: "));
@@ -23,7 +23,7 @@ pub(crate) fn concise(findings: &[Finding], texts: &Texts) -> String {
 }
 
 /// `::error file=line4.awl,line=3,col=5,title=…::…`: each becomes an annotation of the line.
-pub(crate) fn github(findings: &[Finding], texts: &Texts) -> String {
+pub fn github(findings: &[Finding], texts: &Texts) -> String {
     let line = |finding: &Finding| {
         let (file, place) = place(finding, texts);
         let problem = finding.diagnostic.problem;

@@ -1,7 +1,7 @@
 //! `sieben.toml`: what a project says about itself.
 
 mod cyclic;
-pub(crate) mod modules;
+pub mod modules;
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -22,81 +22,81 @@ use sieben_sim::duration::CYCLE_MAX;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
+use crate::nearest::{nearest, one_of};
 use modules::Module;
-use sieben_workspace::nearest::{nearest, one_of};
 
 /// Name of the file that makes a folder a project.
-pub(crate) const FILE_NAME: &str = "sieben.toml";
+pub const FILE_NAME: &str = "sieben.toml";
 
 /// What the cycle monitoring time can be set to.
-pub(crate) const WATCHDOG: std::ops::RangeInclusive<Duration> = Duration::from_millis(1)..=Duration::from_secs(6);
+pub const WATCHDOG: std::ops::RangeInclusive<Duration> = Duration::from_millis(1)..=Duration::from_secs(6);
 
 /// A text with its place.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Placed {
+pub struct Placed {
     /// The text.
-    pub(crate) text: String,
+    pub text: String,
     /// Where it stands.
-    pub(crate) span: Span,
+    pub span: Span,
 }
 
 /// What the file says; all of it optional.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Settings {
+pub struct Settings {
     /// `project.name`.
-    pub(crate) name: Option<String>,
+    pub name: Option<String>,
     /// `project.sources`: patterns of paths inside the project folder.
-    pub(crate) sources: Option<Vec<Placed>>,
+    pub sources: Option<Vec<Placed>>,
     /// `project.symbols`: patterns of symbol tables.
-    pub(crate) symbols: Option<Vec<Placed>>,
+    pub symbols: Option<Vec<Placed>>,
     /// `project.tests`: patterns of test files.
-    pub(crate) tests: Option<Vec<Placed>>,
+    pub tests: Option<Vec<Placed>>,
     /// `project.mnemonics`; `None` = judged over each file.
-    pub(crate) mnemonics: Option<Mnemonics>,
+    pub mnemonics: Option<Mnemonics>,
     /// `project.dialect`; `None` = judged over each file.
-    pub(crate) dialect: Option<Dialect>,
+    pub dialect: Option<Dialect>,
     /// `project.library` and the numbers under `[library]`.
-    pub(crate) library: Selection,
+    pub library: Selection,
     /// `project.extended`: the sources use the extension words of awlsim.
-    pub(crate) extended: bool,
+    pub extended: bool,
     /// `project.profile`: whose rules hold where awlsim and the manual differ.
-    pub(crate) profile: Option<Profile>,
+    pub profile: Option<Profile>,
     /// `cpu.type`.
-    pub(crate) cpu: Option<&'static CpuType>,
+    pub cpu: Option<&'static CpuType>,
     /// `cpu.cycle`; zero = free running.
-    pub(crate) cycle: Option<Duration>,
+    pub cycle: Option<Duration>,
     /// `cpu.watchdog`.
-    pub(crate) watchdog: Option<Duration>,
+    pub watchdog: Option<Duration>,
     /// `cpu.min_cycle`.
-    pub(crate) min_cycle: Option<Duration>,
+    pub min_cycle: Option<Duration>,
     /// `cpu.image_errors`: whether OB 85 comes when a module does not answer the process image.
-    pub(crate) image_errors: Option<ImageErrors>,
+    pub image_errors: Option<ImageErrors>,
     /// `cpu.clock_memory_byte`: the byte of bit memory that holds the clock memory.
-    pub(crate) clock_memory_byte: Option<u16>,
+    pub clock_memory_byte: Option<u16>,
     /// `[cyclic.35]` and the like: cyclic interrupts by the number of their organization block.
-    pub(crate) cyclic: BTreeMap<u16, CyclicInterrupt>,
+    pub cyclic: BTreeMap<u16, CyclicInterrupt>,
     /// `cpu.retain`.
-    pub(crate) retain: Retain,
+    pub retain: Retain,
     /// `[[module]]`: simulated devices.
-    pub(crate) modules: Vec<Module>,
+    pub modules: Vec<Module>,
 }
 
 /// What is retentive, as far as the file says.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Retain {
+pub struct Retain {
     /// Bytes of bit memory, with the place of the text.
-    pub(crate) bit_memory: Option<(Numbers, Span)>,
+    pub bit_memory: Option<(Numbers, Span)>,
     /// Timers.
-    pub(crate) timers: Option<(Numbers, Span)>,
+    pub timers: Option<(Numbers, Span)>,
     /// Counters.
-    pub(crate) counters: Option<(Numbers, Span)>,
+    pub counters: Option<(Numbers, Span)>,
     /// How often the data goes to the disk; zero = every scan.
-    pub(crate) sync: Option<Duration>,
+    pub sync: Option<Duration>,
 }
 
 impl Retain {
     /// What is retentive, with the default of the CPU types for what the file does not say.
-    pub(crate) fn areas(&self) -> RetentiveAreas {
+    pub fn areas(&self) -> RetentiveAreas {
         let or = |numbers: &Option<(Numbers, Span)>, default| numbers.as_ref().map_or(default, |(numbers, _)| numbers.clone());
         let default = RetentiveAreas::default();
         RetentiveAreas {
@@ -107,7 +107,7 @@ impl Retain {
     }
 
     /// Ranges that the CPU type does not have.
-    pub(crate) fn beyond(&self, cpu: &CpuType) -> Vec<Diagnostic> {
+    pub fn beyond(&self, cpu: &CpuType) -> Vec<Diagnostic> {
         let rows = [
             (&self.bit_memory, cpu.bit_memory, "MB"),
             (&self.timers, u32::from(cpu.timers), "T"),
@@ -170,7 +170,7 @@ const KEYS: &[Key] = &[
 ];
 
 /// Reads the text of a `sieben.toml`; what is wrong with one key leaves the others in force.
-pub(crate) fn parse(text: &str, file: FileId) -> (Settings, Vec<Diagnostic>) {
+pub fn parse(text: &str, file: FileId) -> (Settings, Vec<Diagnostic>) {
     let mut reader = Reader { file, settings: Settings::default(), diagnostics: Vec::new() };
     match DeTable::parse(text) {
         Ok(table) => reader.root(table.get_ref()),
@@ -438,7 +438,7 @@ impl Reader {
 }
 
 /// The message about a CPU type that does not exist, with those that do.
-pub(crate) fn unknown_cpu(name: &str) -> String {
+pub fn unknown_cpu(name: &str) -> String {
     let names = || CpuType::ALL.iter().map(|cpu| cpu.name);
     let list = one_of(names());
     match nearest(name, names()) {
@@ -474,7 +474,7 @@ mod tests {
         assert_eq!(settings.symbols.map(|list| list.len()), Some(1));
     }
 
-    /// The binary has no library that the fuzzer could reach, so its one parser is tried here.
+    /// Every cut of a file and every word in the place of every other: whatever it says, it is read or refused with a place in it.
     #[test]
     fn no_cut_and_no_exchange_of_words_panics() {
         let text = "[project]\nname = \"p\"\nsources = [\"src/**/*.awl\"]\nmnemonics = \"de\"\n[cpu]\ntype = \"416-3\"\ncycle = \"1.5s\"\n\

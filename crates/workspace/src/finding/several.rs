@@ -13,7 +13,7 @@ const NAMED_MAX: usize = 3;
 
 /// What is wrong with several programs, which may share files.
 #[derive(Debug, Default)]
-pub(crate) struct Several {
+pub struct Several {
     texts: Texts,
     findings: Vec<Finding>,
     /// Where a finding stands in the list.
@@ -23,25 +23,25 @@ pub(crate) struct Several {
     /// In how many programs a text is.
     times: BTreeMap<(Origin, FileId), usize>,
     /// The programs, each with its errors and warnings.
-    pub(crate) programs: Vec<Tally>,
+    pub programs: Vec<Tally>,
 }
 
 /// How much is wrong with a program.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Tally {
+pub struct Tally {
     /// What it is called.
-    pub(crate) name: String,
+    pub name: String,
     /// The files that it was read from.
-    pub(crate) files: Vec<String>,
+    pub files: Vec<String>,
     /// How many errors.
-    pub(crate) errors: usize,
+    pub errors: usize,
     /// How many warnings.
-    pub(crate) warnings: usize,
+    pub warnings: usize,
 }
 
 impl Several {
     /// Takes in what was found in a program.
-    pub(crate) fn add(&mut self, name: &str, files: Vec<String>, findings: &[Finding], texts: &Texts) {
+    pub fn add(&mut self, name: &str, files: Vec<String>, findings: &[Finding], texts: &Texts) {
         let program = self.take(&Origin::Program, &texts.program);
         let document = self.take(&Origin::Document, &texts.documents);
         let errors = findings.iter().filter(|finding| finding.severity() == Severity::Error).count();
@@ -88,7 +88,7 @@ impl Several {
 
     /// The list with these others, in the order of the names of files, then of places. What is wrong with a shared file in some programs
     /// only says in which.
-    pub(crate) fn finish(mut self, others: Vec<Finding>) -> (Vec<Finding>, Texts, Vec<Tally>) {
+    pub fn finish(mut self, others: Vec<Finding>) -> (Vec<Finding>, Texts, Vec<Tally>) {
         for finding in &mut self.findings {
             let times = self.times.get(&(finding.origin.clone(), finding.diagnostic.span.file)).copied().unwrap_or_default();
             let programs = &finding.programs;

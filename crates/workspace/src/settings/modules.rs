@@ -13,7 +13,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::{Reader, Value};
-use sieben_workspace::nearest::{nearest, one_of};
+use crate::nearest::{nearest, one_of};
 
 /// Keys that every module has, beside the parameters of its kind.
 const KEYS: [&str; 6] = ["kind", "name", "input", "output", "seed", "fault"];
@@ -22,13 +22,13 @@ const MODULES_MAX: usize = 1000;
 
 /// A simulated device of the project.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Module {
+pub struct Module {
     /// The device.
-    pub(crate) device: DeviceSettings,
+    pub device: DeviceSettings,
     /// How it fails.
-    pub(crate) faults: Vec<Fault>,
+    pub faults: Vec<Fault>,
     /// Where it is described.
-    pub(crate) span: Span,
+    pub span: Span,
 }
 
 impl Module {
@@ -44,12 +44,12 @@ impl Module {
 
 /// The rack of a project: its devices, and a simulated module at every address that they leave free. A project whose modules do not
 /// fit together, which [`problems`] tells, has the simulated module alone.
-pub(crate) fn rack(modules: &[Module], cpu: &CpuType) -> Rack {
+pub fn rack(modules: &[Module], cpu: &CpuType) -> Rack {
     Rack::with_background(cpu, modules.iter().map(Module::plugged).collect()).unwrap_or_else(|_| Rack::simulated(cpu))
 }
 
 /// What keeps the modules from being plugged in together on this CPU type.
-pub(crate) fn problems(modules: &[Module], cpu: &CpuType) -> Vec<Diagnostic> {
+pub fn problems(modules: &[Module], cpu: &CpuType) -> Vec<Diagnostic> {
     // The rack names the first of them that does not fit.
     (1..=modules.len())
         .find_map(|count| {
