@@ -8,10 +8,10 @@ use sieben_engine::FaultPlace;
 use sieben_jit::StatusBits;
 use sieben_model::block::BlockId;
 use sieben_model::source::Span;
+use sieben_workspace::project::Build;
 use sieben_workspace::settings::modules;
 
 use crate::engines::EngineArgument;
-use crate::project::Build;
 
 /// How the project sets up its CPU; what is not said is as usual.
 pub(crate) fn settings(build: &Build) -> Settings {

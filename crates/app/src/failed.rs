@@ -3,9 +3,9 @@
 use serde_json::{Value, json};
 use sieben_cpu::{Cpu, DiagnosticEntry, FailedStatements};
 use sieben_sim::trace::moment;
+use sieben_workspace::project::Build;
 
 use crate::controller;
-use crate::project::Build;
 
 /// Statements that failed in a run: how often, and the first one.
 #[derive(Clone, Debug)]

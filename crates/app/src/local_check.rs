@@ -7,8 +7,7 @@ use sieben_model::block::BlockId;
 use sieben_model::diagnostic::Diagnostic;
 use sieben_model::interface::Section;
 use sieben_model::problems::Problem;
-
-use crate::project::Build;
+use sieben_workspace::project::Build;
 
 /// What is known of the local data while a program runs.
 #[derive(Debug, Default)]

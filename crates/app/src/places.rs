@@ -7,8 +7,7 @@ use sieben_ide::target::{Memory, Target};
 use sieben_model::block::BlockId;
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::source::{FileId, Span};
-
-use crate::project::Build;
+use sieben_workspace::project::Build;
 
 /// A program with what is needed to print its places.
 pub(crate) struct Places<'a> {

@@ -8,6 +8,7 @@ pub mod finding;
 pub mod gate;
 pub mod nearest;
 pub mod pace;
+pub mod project;
 pub mod refusal;
 pub mod settings;
 pub mod status;

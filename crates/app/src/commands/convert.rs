@@ -11,12 +11,13 @@ use sieben_model::diagnostic::Diagnostic;
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
 use sieben_workspace::finding::{self, Finding};
+use sieben_workspace::project::Overrides;
 
 use crate::arguments::{EncodingArgument, MnemonicsArgument};
 use crate::diagrams;
 use crate::failure::{Exit, Failure};
 use crate::output;
-use crate::project::{Overrides, Project};
+use crate::project;
 use crate::report;
 use crate::rewriting::{Destination, Rewriting};
 
@@ -125,7 +126,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
 /// Networks in another form.
 fn networks(arguments: &Arguments, rewriting: &Rewriting, to: NetworkTarget) -> Result<Exit, Failure> {
     let overrides = Overrides { mnemonics: arguments.from.map(MnemonicsArgument::language), ..Overrides::default() };
-    let build = Project::load(&arguments.paths, arguments.encoding.chosen())?.compile(overrides, false);
+    let build = project::load(&arguments.paths, arguments.encoding.chosen())?.compile(overrides, false);
     if finding::has_errors(&build.findings) {
         report::print(&build.findings, &build.project.texts, arguments.json);
         return Ok(Exit::DoesNotCompile);

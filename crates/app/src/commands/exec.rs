@@ -10,6 +10,7 @@ use sieben_jit::StatusBits;
 use sieben_sim::names::Name;
 use sieben_sim::trace::Moment;
 use sieben_workspace::finding::Finding;
+use sieben_workspace::project::Build;
 
 use crate::arguments::{DiagnosticsArgument, FaultArguments, ProgramArguments, StrictArgument};
 use crate::diagrams::{Diagrams, Form, LastMoment};
@@ -19,7 +20,6 @@ use crate::failure::{Exit, Failure};
 use crate::local_check::LocalCheck;
 use crate::names;
 use crate::places::Places;
-use crate::project::Build;
 use crate::report;
 use crate::schedule::ScheduleArguments;
 use crate::{controller, duration, output};

@@ -21,12 +21,12 @@ pub(crate) mod test;
 pub(crate) mod trace;
 
 use sieben_workspace::finding;
+use sieben_workspace::project::Build;
 
 use std::path::PathBuf;
 
 use crate::arguments::{ProgramArguments, ReportArguments};
 use crate::failure::{Exit, Failure};
-use crate::project::Build;
 use crate::report;
 
 /// The build if it may run; else its diagnostics are printed and the exit code is that of a program that does not compile.

@@ -16,6 +16,7 @@ use sieben_sim::scenario::recorder::{Recorder, Subject};
 use sieben_sim::scenario::{Happened, Onlooker, Rules, Scenario, ScenarioError};
 use sieben_sim::trace::CHANNELS_MAX;
 use sieben_workspace::Speed;
+use sieben_workspace::project::Build;
 
 use super::run::{now, speed_argument};
 use crate::arguments::{FaultArguments, ProgramArguments};
@@ -24,7 +25,6 @@ use crate::failed::Heard;
 use crate::failure::{Exit, Failure};
 use crate::paths::{self, is_scenario, shown};
 use crate::places::Places;
-use crate::project::Build;
 use crate::retain::restart_argument;
 use crate::schedule::ScheduleArguments;
 use crate::tracing::channels;

@@ -13,6 +13,7 @@ use sieben_cpu::{Cpu, DateAndTime, OperatingMode, Settings, StopRequest, TimeSou
 use sieben_jit::StatusBits;
 use sieben_model::problems::Problem;
 use sieben_workspace::gate::Clock;
+use sieben_workspace::project::Build;
 use sieben_workspace::status::Desk;
 use sieben_workspace::{Driver, Gate, Pace, Plant, Speed, Surroundings};
 
@@ -21,7 +22,6 @@ use crate::duration::{cycle_argument, duration_argument};
 use crate::engines::EngineArgument;
 use crate::failed::{self, Failed};
 use crate::failure::{Exit, Failure};
-use crate::project::Build;
 use crate::retain::{RetainArguments, Retention, RunTime};
 use crate::watch::Watch;
 use crate::{controller, duration, output, watch};

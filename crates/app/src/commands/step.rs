@@ -10,12 +10,12 @@ use sieben_jit::StatusBits;
 use sieben_model::problems::Problem;
 use sieben_sim::history::{History, Plan};
 use sieben_sim::names::Name;
+use sieben_workspace::project::Build;
 
 use crate::arguments::{FaultArguments, ProgramArguments};
 use crate::duration::cycle_argument;
 use crate::engines::EngineArgument;
 use crate::failure::{Exit, Failure};
-use crate::project::Build;
 use crate::schedule::ChangeArguments;
 use crate::stepping::commands::{Answer, LINE_MAX, carry_out};
 use crate::stepping::recording::Unusable;

@@ -15,6 +15,7 @@ use sieben_sim::trace::recorder::BEFORE_MAX;
 use sieben_sim::trace::trigger::TriggerError;
 use sieben_sim::trace::{Keep, Moment, Recorder, Store, Trace, TraceError, Trigger, csv, vcd};
 use sieben_workspace::Refusal;
+use sieben_workspace::project::Build;
 
 use crate::arguments::{FaultArguments, ProgramArguments};
 use crate::duration::duration_argument;
@@ -22,7 +23,6 @@ use crate::engines::EngineArgument;
 use crate::failed::{Failed, Heard};
 use crate::failure::{Exit, Failure};
 use crate::paths::{self, is_scenario};
-use crate::project::Build;
 use crate::schedule::ScheduleArguments;
 use crate::tracing::channels;
 use crate::tracing::file::{Disk, Spill};

@@ -10,8 +10,8 @@ use sieben_model::source::{FileId, Span};
 use super::texts::{self, END_OF_BLOCK, fill};
 use crate::controller;
 use crate::places::Places;
-use crate::project::Build;
 use sieben_workspace::nearest::nearest;
+use sieben_workspace::project::Build;
 
 /// A statement as people find it.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -26,14 +26,13 @@ use sieben_sim::history::{
     Breakpoint, Breakpoints, By, Condition, Halt, History, Hit, Plan, Position, StoreIfRlo, Target, Until, Unwatched, Watch,
 };
 use sieben_sim::names::{Name, NameError, Scope, Setting, Shown};
+use sieben_workspace::project::Build;
 
 pub(crate) use changes::Change;
 pub(crate) use listing::{Goal, Line, Listing};
 pub(crate) use movement::{Direction, Unit};
 use movement::{Networks, StepEnd};
 pub(crate) use sieben_lang::reason::Language;
-
-use crate::project::Build;
 
 /// Statements that one movement runs at most: a program that never comes to a breakpoint must come to an end.
 pub(crate) const STATEMENTS_MAX: u64 = 1_000_000;

@@ -5,9 +5,9 @@ use sieben_engine::Program;
 use sieben_sim::duration::CYCLE_MAX;
 use sieben_sim::history::{Action, History};
 use sieben_sim::names::{Name, Setting};
+use sieben_workspace::project::Build;
 
 use super::Stepper;
-use crate::project::Build;
 
 /// The first line of a recording.
 const HEAD: &str = "sieben recording 1";

@@ -6,12 +6,13 @@ use std::time::{SystemTime, UNIX_EPOCH};
 use proptest::prelude::*;
 use sieben_jit::StatusBits;
 use sieben_sim::history::Plan;
+use sieben_workspace::project::{Build, Overrides};
 
 use super::commands::{ROWS, carry_out};
 use super::{Language, Stepper, table};
 use crate::controller;
 use crate::engines::EngineArgument;
-use crate::project::{Build, Overrides, Project};
+use crate::project;
 
 const SOURCE: &str = "DATA_BLOCK DB 1\nSTRUCT\n n : INT;\nEND_STRUCT\nBEGIN\nEND_DATA_BLOCK\nFUNCTION FC 1 : VOID\nVAR_TEMP\n n : INT;\nEND_VAR\nBEGIN\nL DB1.n\nT #n\n+ 1\nT DB1.n\n\
     END_FUNCTION\nORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\nA I 0.0\n= Q 4.0\nend: NOP 0\nNETWORK\nUC FC 1\nL DB1.n\nT MW 10\nEND_ORGANIZATION_BLOCK\n";
@@ -20,7 +21,7 @@ fn build() -> Build {
     let now = SystemTime::now().duration_since(UNIX_EPOCH).expect("a clock after 1970").as_nanos();
     let path: PathBuf = std::env::temp_dir().join(format!("sieben-step-{}-{now}.awl", std::process::id()));
     std::fs::write(&path, SOURCE).expect("the folder for temporary files is writable");
-    let project = Project::load(std::slice::from_ref(&path), None).expect("the source is read");
+    let project = project::load(std::slice::from_ref(&path), None).expect("the source is read");
     std::fs::remove_file(&path).expect("the source can be removed");
     project.compile(Overrides::default(), false)
 }

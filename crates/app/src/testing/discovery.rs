@@ -10,7 +10,7 @@ use super::{Case, Conditions, Outcome, Verdict, scenario, self_checking, unit};
 use crate::failure::Failure;
 use crate::paths::{self, folder_of, is_scenario, is_source};
 use crate::programs::{self, Folder, Kind, Tested};
-use crate::project::Project;
+use crate::project;
 
 /// The tests that were found.
 #[derive(Default)]
@@ -221,7 +221,7 @@ fn beside(path: &Path, encoding: Option<Encoding>) -> Vec<PathBuf> {
 /// The tests of a project: those that `sieben.toml` names, else its test files; without other tests a project may be one itself.
 fn of_project(folder: &Path, conditions: &Conditions) -> Result<Vec<Case>, Failure> {
     let program = vec![folder.to_path_buf()];
-    let project = Project::load(&program, conditions.encoding)?;
+    let project = project::load(&program, conditions.encoding)?;
     let mut cases = Vec::new();
     let is_unit = |test: &PathBuf| is_scenario(test) || programs::is_test(test, conditions.encoding);
     if project.tests.iter().all(is_unit) {

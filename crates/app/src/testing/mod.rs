@@ -24,10 +24,10 @@ use coverage::Collector;
 use sieben_sim::devices::random::Random;
 use sieben_sim::scenario::Rules;
 use sieben_sim::trace::Moment;
+use sieben_workspace::project::{Build, Overrides};
 
 use crate::failed::{self, Failed};
 use crate::failure::Failure;
-use crate::project::{Build, Overrides};
 
 /// One test: a name, and what runs it. Whatever kind of test it is, it answers with an [`Outcome`].
 pub(crate) struct Case {

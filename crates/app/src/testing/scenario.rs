@@ -18,6 +18,7 @@ use sieben_sim::scenario::{Difference, Happened, Onlooker, Scenario, ScenarioErr
 use sieben_sim::timing_diagram::{Mark, Options};
 use sieben_sim::trace::{Channel, Keep, Memory, Moment, Origin, Recorder, Trace};
 use sieben_workspace::finding;
+use sieben_workspace::project::{Build, Overrides};
 
 use super::coverage::{Counting, Looking, looking};
 use super::last_change;
@@ -28,7 +29,7 @@ use crate::failed::{self, Heard};
 use crate::failure::Failure;
 use crate::paths::shown;
 use crate::places::Places;
-use crate::project::{Build, Overrides, Project};
+use crate::project;
 use crate::tracing::scenario::{self as files, Unusable};
 use crate::{controller, duration, report};
 
@@ -67,7 +68,7 @@ fn run(program: &[PathBuf], file: &Path, named: bool, conditions: &Conditions) -
     if !named && !scenario.expects() {
         return nothing_ran(Verdict::NoTest);
     }
-    let project = match Project::load(program, conditions.encoding) {
+    let project = match project::load(program, conditions.encoding) {
         Ok(project) => project,
         Err(failure) => return nothing_ran(Verdict::Unreadable(failure)),
     };

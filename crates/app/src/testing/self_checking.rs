@@ -14,12 +14,13 @@ use sieben_ide::cross_reference::CrossReference;
 use sieben_ide::target::Target;
 use sieben_model::block::{BlockId, BlockKind};
 use sieben_workspace::finding;
+use sieben_workspace::project::{Build, Overrides};
 
 use super::coverage::{Counting, looking};
 use super::time_limit::TimeLimit;
 use super::{After, Conditions, Outcome, Verdict, Wrong};
 use crate::engines::EngineArgument;
-use crate::project::{Build, Overrides, Project};
+use crate::project;
 use crate::{controller, duration, report, schedule};
 
 /// Virtual time in which such a program has to end if nothing is said.
@@ -33,7 +34,7 @@ pub(crate) fn run(paths: &[PathBuf], test: Option<&PathBuf>, named: bool, condit
     let nothing_ran = Outcome::nothing_ran;
     let mut all: Vec<PathBuf> = test.into_iter().cloned().collect();
     all.extend(paths.iter().cloned());
-    let project = match Project::load(&all, conditions.encoding) {
+    let project = match project::load(&all, conditions.encoding) {
         Ok(project) => project,
         Err(failure) => return nothing_ran(Verdict::Unreadable(failure)),
     };
@@ -96,7 +97,7 @@ fn tracer<'a>(counting: &'a mut Option<Counting<'_>>) -> Option<&'a mut dyn Trac
 
 /// Whether a program checks itself; one that cannot be read or compiled says so when it is run.
 pub(crate) fn is_test(paths: &[PathBuf], conditions: &Conditions) -> bool {
-    let Ok(project) = Project::load(paths, conditions.encoding) else { return true };
+    let Ok(project) = project::load(paths, conditions.encoding) else { return true };
     let build = project.compile(Overrides { extended: true, ..conditions.overrides }, false);
     finding::has_errors(&build.findings) || checks_itself(&build)
 }

@@ -16,6 +16,7 @@ use sieben_sim::runner::{self, Limits, Watcher, Writers};
 use sieben_sim::timing_diagram;
 use sieben_sim::trace::{Keep, Memory, Origin, Recorder, Trace};
 use sieben_workspace::finding;
+use sieben_workspace::project::{Build, Overrides};
 
 use super::coverage::{Counting, Looking, looking};
 use super::last_change;
@@ -23,7 +24,7 @@ use super::time_limit::TimeLimit;
 use super::{After, Case, Conditions, Outcome, Verdict, Wrong, drawing};
 use crate::engines::EngineArgument;
 use crate::paths::shown;
-use crate::project::{Build, Overrides, Project};
+use crate::project;
 use crate::{controller, duration, report, schedule};
 
 /// Bytes of local data that the blocks of a test have beside those of the CPU type: what a test needs must not fail a program that
@@ -80,7 +81,7 @@ pub(super) fn cases(program: &[PathBuf], file: &Path, conditions: &Conditions) -
 fn compile(program: &[PathBuf], file: &Path, conditions: &Conditions) -> Result<Ready, Verdict> {
     let mut all = program.to_vec();
     all.push(file.to_path_buf());
-    let project = Project::load(&all, conditions.encoding).map_err(Verdict::Unreadable)?;
+    let project = project::load(&all, conditions.encoding).map_err(Verdict::Unreadable)?;
     let overrides = Overrides { tests: true, counted: conditions.coverage.is_some(), ..conditions.overrides };
     let build = project.compile(overrides, false);
     if finding::has_errors(&build.findings) {

@@ -9,9 +9,9 @@ use sieben_model::problems::Problem;
 use sieben_sim::scenario::Scenario;
 use sieben_sim::trace::{self, Origin};
 use sieben_workspace::finding::{Finding, Texts};
+use sieben_workspace::project::Build;
 
 use crate::failure::{Exit, Failure};
-use crate::project::Build;
 use crate::report;
 use crate::schedule::ScheduleArguments;
 use crate::{controller, files, output, paths};

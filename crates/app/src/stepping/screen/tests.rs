@@ -6,19 +6,20 @@ use ratatui::Terminal;
 use ratatui::backend::TestBackend;
 use sieben_jit::StatusBits;
 use sieben_sim::history::Plan;
+use sieben_workspace::project::{Build, Overrides};
 
 use super::draw;
 use super::keys::Command;
 use super::picture::Screen;
 use crate::controller;
 use crate::engines::EngineArgument;
-use crate::project::{Build, Overrides, Project};
+use crate::project;
 use crate::stepping::{Direction, Language, Stepper, Unit};
 
 fn build() -> Build {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/dosing");
     let paths: Vec<PathBuf> = ["dosing.awl", "symbols.csv"].iter().map(|name| root.join(name)).collect();
-    let project = Project::load(&paths, None).unwrap_or_else(|failure| panic!("{}", failure.render(false)));
+    let project = project::load(&paths, None).unwrap_or_else(|failure| panic!("{}", failure.render(false)));
     project.compile(Overrides::default(), false)
 }
 

@@ -10,10 +10,9 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use sieben_lang::coverage::{Decision as Countable, Label};
 use sieben_model::source::{FileId, Sources, Span};
+use sieben_workspace::project::Build;
 
 pub(crate) use counts::{Counting, Counts, Looking, looking};
-
-use crate::project::Build;
 
 /// Characters of the source that the name of a decision has at most.
 const NAME_MAX: usize = 80;
