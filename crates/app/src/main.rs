@@ -3,26 +3,20 @@
 
 mod arguments;
 mod commands;
-mod controller;
 mod diagrams;
 mod document;
 mod duration;
 mod engines;
 mod examples;
-mod failed;
 mod failure;
 mod files;
 mod fixing;
 mod folder;
 mod glob;
 mod instances;
-mod local_check;
-mod names;
-mod online_change;
 mod output;
 mod panics;
 mod paths;
-mod places;
 mod programs;
 mod project;
 mod report;

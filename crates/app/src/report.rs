@@ -8,7 +8,6 @@ use ariadne::{Cache, CharSet, Color, Config, IndexType, Label, LabelAttach, Repo
 use sieben_model::diagnostic::Severity;
 use sieben_model::source::{FileId, SourceFile, Span};
 use sieben_model::visible::{self, visible};
-
 use sieben_workspace::finding::{Finding, Origin, Texts, clamp, help_of, tally, to_json};
 
 use crate::output;

@@ -13,13 +13,14 @@ use sieben_jit::StatusBits;
 use sieben_model::cpu_type::CpuType;
 use sieben_model::visible::visible;
 use sieben_workspace::finding;
+use sieben_workspace::online_change;
 use sieben_workspace::project::{Build, Overrides};
 use sieben_workspace::settings::Settings;
 
 use crate::arguments::ProgramArguments;
 use crate::engines::EngineArgument;
 use crate::failure::Failure;
-use crate::{online_change, output, paths, report};
+use crate::{output, paths, report};
 
 /// How often the files are looked at. A change is taken when the next look finds it finished.
 const LOOK_PERIOD: Duration = Duration::from_millis(250);

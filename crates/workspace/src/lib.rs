@@ -3,13 +3,21 @@
 //! No files, no terminal, no clock, no threads: time comes in as a function, `app` starts the threads that call in here.
 #![forbid(unsafe_code)]
 
+pub mod controller;
 pub mod driver;
+pub mod duration;
+pub mod failed;
 pub mod finding;
 pub mod gate;
+pub mod local_check;
+pub mod names;
 pub mod nearest;
+pub mod online_change;
 pub mod pace;
+pub mod places;
 pub mod project;
 pub mod refusal;
+pub mod schedule;
 pub mod settings;
 pub mod status;
 

@@ -11,12 +11,13 @@ use sieben_model::problems::Problem;
 use sieben_model::visible;
 use sieben_workspace::finding::several::Several;
 use sieben_workspace::finding::{self, Finding, Texts};
+use sieben_workspace::online_change;
 use sieben_workspace::project::{Build, Overrides};
 
 use crate::arguments::{ProgramArguments, StrictArgument};
 use crate::failure::{Exit, Failure};
 use crate::programs::{Chosen, Folder, Program};
-use crate::{fixing, online_change, output, paths, report};
+use crate::{fixing, output, paths, report};
 
 /// Report everything that is wrong with a program.
 #[derive(Args)]

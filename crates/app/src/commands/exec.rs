@@ -9,20 +9,22 @@ use sieben_engine::{FaultPlace, LocalAccess, Machine, StatementEvent, Tracer};
 use sieben_jit::StatusBits;
 use sieben_sim::names::Name;
 use sieben_sim::trace::Moment;
+use sieben_workspace::controller;
+use sieben_workspace::duration;
+use sieben_workspace::failed::{self, Failed};
 use sieben_workspace::finding::Finding;
+use sieben_workspace::local_check::LocalCheck;
+use sieben_workspace::names;
+use sieben_workspace::places::Places;
 use sieben_workspace::project::Build;
 
 use crate::arguments::{DiagnosticsArgument, FaultArguments, ProgramArguments, StrictArgument};
 use crate::diagrams::{Diagrams, Form, LastMoment};
 use crate::engines::EngineArgument;
-use crate::failed::{self, Failed};
 use crate::failure::{Exit, Failure};
-use crate::local_check::LocalCheck;
-use crate::names;
-use crate::places::Places;
+use crate::output;
 use crate::report;
 use crate::schedule::ScheduleArguments;
-use crate::{controller, duration, output};
 
 /// Run a few scans in virtual time and print values.
 #[derive(Args)]
@@ -85,7 +87,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         Ok(build) => build,
         Err(exit) => return Ok(exit),
     };
-    let mut cpu = controller::load(&build, arguments.engine, StatusBits::All, controller::settings(&build));
+    let mut cpu = controller::load(&build, arguments.engine.factory(StatusBits::All), controller::settings(&build));
     arguments.faults.inject(&mut cpu)?;
     let symbols = &build.project.symbols;
     let shown = names::resolve_lists(&arguments.show, symbols, &cpu)?;

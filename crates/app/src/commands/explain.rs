@@ -24,10 +24,10 @@ use sieben_model::diagnostic::Severity;
 use sieben_model::interface::{Interface, Section, SystemBlock};
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
+use sieben_workspace::nearest::nearest;
 
 use crate::failure::{Exit, Failure};
 use crate::output;
-use sieben_workspace::nearest::nearest;
 
 /// The nine bits of the status word: name, other spellings, what it holds.
 const STATUS_BITS: &[(&str, &[&str], &str)] = &[

@@ -8,11 +8,11 @@ use sieben_ide::drawing::text::Characters;
 use sieben_model::block::BlockId;
 use sieben_model::problems::Problem;
 use sieben_workspace::finding;
+use sieben_workspace::places::Places;
 
 use crate::arguments::ProgramArguments;
 use crate::diagrams::{self, CodeBlock, Diagrams, Form, Kind, Shown, Written};
 use crate::failure::{Exit, Failure};
-use crate::places::Places;
 use crate::{output, paths};
 
 /// Draw networks as ladder or function block diagrams.

@@ -6,21 +6,23 @@ use std::time::Duration;
 
 use clap::Args;
 use sieben_cpu::{Cpu, OperatingMode};
-use sieben_jit::StatusBits;
+use sieben_engine::Interpreter;
 use sieben_model::problems::Problem;
 use sieben_sim::history::{History, Plan};
 use sieben_sim::names::Name;
+use sieben_workspace::controller;
+use sieben_workspace::duration;
 use sieben_workspace::project::Build;
+use sieben_workspace::schedule;
 
 use crate::arguments::{FaultArguments, ProgramArguments};
 use crate::duration::cycle_argument;
-use crate::engines::EngineArgument;
 use crate::failure::{Exit, Failure};
 use crate::schedule::ChangeArguments;
 use crate::stepping::commands::{Answer, LINE_MAX, carry_out};
 use crate::stepping::recording::Unusable;
 use crate::stepping::{Language, Stepper, recording, screen, table};
-use crate::{controller, duration, files, output, paths, schedule, terminal};
+use crate::{files, output, paths, terminal};
 
 /// Step through a program, one statement at a time, forwards and back.
 #[derive(Args)]
@@ -80,7 +82,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         Ok(build) => build,
         Err(exit) => return Ok(exit),
     };
-    let mut cpu = controller::load(&build, EngineArgument::Interpreter, StatusBits::All, controller::settings(&build));
+    let mut cpu = controller::load(&build, Interpreter::load, controller::settings(&build));
     arguments.faults.inject(&mut cpu)?;
     arguments.faults.note(&mut build.project.settings.modules);
     let timed = arguments.change.timed(&build.project.symbols, &cpu)?.into_iter();

@@ -15,12 +15,15 @@ use sieben_sim::trace::recorder::BEFORE_MAX;
 use sieben_sim::trace::trigger::TriggerError;
 use sieben_sim::trace::{Keep, Moment, Recorder, Store, Trace, TraceError, Trigger, csv, vcd};
 use sieben_workspace::Refusal;
+use sieben_workspace::controller;
+use sieben_workspace::duration;
+use sieben_workspace::failed::{Failed, Heard};
+use sieben_workspace::names;
 use sieben_workspace::project::Build;
 
 use crate::arguments::{FaultArguments, ProgramArguments};
 use crate::duration::duration_argument;
 use crate::engines::EngineArgument;
-use crate::failed::{Failed, Heard};
 use crate::failure::{Exit, Failure};
 use crate::paths::{self, is_scenario};
 use crate::schedule::ScheduleArguments;
@@ -28,7 +31,7 @@ use crate::tracing::channels;
 use crate::tracing::file::{Disk, Spill};
 use crate::tracing::output::{unreadable, unwritable, write};
 use crate::tracing::scenario::{self, origin};
-use crate::{controller, duration, names, output, report};
+use crate::{output, report};
 
 /// Record values over many scans and draw them as a timing diagram.
 #[derive(Args)]
@@ -185,7 +188,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         Ok(build) => build,
         Err(exit) => return Ok(exit),
     };
-    let loaded = controller::loaded(&build, arguments.engine, StatusBits::All);
+    let loaded = controller::loaded(&build, arguments.engine.factory(StatusBits::All));
     let mut cpu = Cpu::new(loaded.clone(), controller::rack(&build), controller::settings(&build));
     arguments.faults.inject(&mut cpu)?;
     let recorder = recorder(arguments, &build, &cpu)?;
@@ -253,13 +256,13 @@ fn recorder(arguments: &Arguments, build: &Build, cpu: &Cpu) -> Result<Recorder,
 fn trigger(text: &str, build: &Build, cpu: &Cpu) -> Result<Trigger, Failure> {
     let symbols = &build.project.symbols;
     let trigger = Trigger::parse(text, symbols, cpu.program()).map_err(|error| match error {
-        TriggerError::Form(message) => Failure::usage(Problem::P7030, message),
+        TriggerError::Form(message) => Refusal::new(Problem::P7030, message),
         // Says it again with the nearest symbol.
         TriggerError::Name(name, error) => match names::resolve(&name, symbols, cpu) {
-            Err(failure) => failure,
-            Ok(_) => Failure::usage(Problem::P7003, error.to_string()),
+            Err(refusal) => refusal,
+            Ok(_) => Refusal::new(Problem::P7003, error.to_string()),
         },
-        TriggerError::Value(error) => Failure::usage(Problem::P7004, error.to_string()),
+        TriggerError::Value(error) => Refusal::new(Problem::P7004, error.to_string()),
     })?;
     if let Some(name) = trigger.name() {
         names::resolve(name.text(), symbols, cpu)?;

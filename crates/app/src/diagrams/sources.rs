@@ -6,9 +6,9 @@ use sieben_model::address::Operand;
 use sieben_model::block::BlockId;
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
+use sieben_workspace::controller::name_in_source;
 use sieben_workspace::project::{Build, SourceFile};
 
-use crate::controller::name_in_source;
 use crate::failure::Failure;
 
 /// The sources of a program that have networks, each with its blocks.

@@ -4,13 +4,13 @@ use sieben_model::block::BlockId;
 use sieben_model::problems::Problem;
 use sieben_sim::history::{Condition, Halt, Target};
 use sieben_sim::names::{Name, Setting};
+use sieben_workspace::controller;
+use sieben_workspace::names as command_names;
+use sieben_workspace::nearest::{nearest, one_of};
 
 use super::texts::{self, Text, pick};
 use super::{Direction, Language, LocalValue, STATEMENTS_MAX, Stepper, Unit, Who};
-use crate::controller;
 use crate::failure::Failure;
-use crate::names as command_names;
-use sieben_workspace::nearest::{nearest, one_of};
 
 /// Longest line that is read as a command.
 pub(crate) const LINE_MAX: usize = 4096;

@@ -6,12 +6,12 @@ use sieben_engine::FaultPlace;
 use sieben_lang::reason::Language;
 use sieben_model::block::BlockId;
 use sieben_model::source::{FileId, Span};
+use sieben_workspace::controller;
+use sieben_workspace::nearest::nearest;
+use sieben_workspace::places::Places;
+use sieben_workspace::project::Build;
 
 use super::texts::{self, END_OF_BLOCK, fill};
-use crate::controller;
-use crate::places::Places;
-use sieben_workspace::nearest::nearest;
-use sieben_workspace::project::Build;
 
 /// A statement as people find it.
 #[derive(Clone, Debug, PartialEq, Eq)]

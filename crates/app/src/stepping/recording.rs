@@ -178,7 +178,7 @@ pub(crate) fn read(text: &str, build: &Build, parse: impl Fn(&str) -> Result<Nam
                     None => (None, rest),
                 };
                 let (name, value) =
-                    crate::names::split_assignment(assignment).map_err(|failure| wrong(number, &failure.refusal.message))?;
+                    sieben_workspace::names::split_assignment(assignment).map_err(|refusal| wrong(number, &refusal.message))?;
                 let name = parse(name).map_err(|message| wrong(number, &message))?;
                 let setting = Setting::new(name, value).map_err(|error| wrong(number, &error.to_string()))?;
                 actions.push((Action::Set(setting), at));

@@ -6,12 +6,13 @@ use sieben_model::block::BlockId;
 use sieben_model::interface::Section;
 use sieben_sim::history::{Breakpoint, By, Halt};
 use sieben_sim::names::{Name, Setting};
+use sieben_workspace::controller;
+use sieben_workspace::failed::{self, Failed};
+use sieben_workspace::names;
 
 use super::commands::Answer;
 use super::{Change, Language, Line, LocalValue, Stepper, View, Who, texts};
-use crate::failed::{self, Failed};
 use crate::failure::{self, Failure};
-use crate::{controller, names};
 
 /// The head of the columns.
 pub(crate) fn head(language: Language) -> &'static str {

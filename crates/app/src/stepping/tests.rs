@@ -4,14 +4,13 @@ use std::path::PathBuf;
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use proptest::prelude::*;
-use sieben_jit::StatusBits;
+use sieben_engine::Interpreter;
 use sieben_sim::history::Plan;
+use sieben_workspace::controller;
 use sieben_workspace::project::{Build, Overrides};
 
 use super::commands::{ROWS, carry_out};
 use super::{Language, Stepper, table};
-use crate::controller;
-use crate::engines::EngineArgument;
 use crate::project;
 
 const SOURCE: &str = "DATA_BLOCK DB 1\nSTRUCT\n n : INT;\nEND_STRUCT\nBEGIN\nEND_DATA_BLOCK\nFUNCTION FC 1 : VOID\nVAR_TEMP\n n : INT;\nEND_VAR\nBEGIN\nL DB1.n\nT #n\n+ 1\nT DB1.n\n\
@@ -90,7 +89,7 @@ fn no_line_of_commands_breaks_the_stepper() {
     let build = build();
     let settings = controller::settings(&build);
     proptest!(ProptestConfig { cases: 256, failure_persistence: None, ..ProptestConfig::default() }, |(lines in proptest::collection::vec(line(), 1..25))| {
-        let cpu = controller::load(&build, EngineArgument::Interpreter, StatusBits::All, settings.clone());
+        let cpu = controller::load(&build, Interpreter::load, settings.clone());
         let mut stepper = Stepper::new(&build, cpu, Plan::new(10_000, Some(40), Vec::new()));
         stepper.language = Language::German;
         for line in &lines {

@@ -4,9 +4,8 @@ use sieben_model::address::Area;
 use sieben_sim::runner::Written;
 use sieben_sim::trace::Moment;
 use sieben_sim::trace::moment::scan_words;
+use sieben_workspace::controller;
 use sieben_workspace::project::Build;
-
-use crate::controller;
 
 /// Characters of a statement that are shown.
 const STATEMENT_MAX: usize = 60;

@@ -18,15 +18,15 @@ use std::time::{Duration, Instant};
 
 use sieben_cpu::Cpu;
 use sieben_lang::encoding::Encoding;
+use sieben_workspace::failed::{self, Failed};
+use sieben_workspace::project::{Build, Overrides};
 
 use crate::engines::EngineArgument;
 use coverage::Collector;
 use sieben_sim::devices::random::Random;
 use sieben_sim::scenario::Rules;
 use sieben_sim::trace::Moment;
-use sieben_workspace::project::{Build, Overrides};
 
-use crate::failed::{self, Failed};
 use crate::failure::Failure;
 
 /// One test: a name, and what runs it. Whatever kind of test it is, it answers with an [`Outcome`].

@@ -6,10 +6,10 @@ use std::time::Duration;
 
 use serde_json::{Value, json};
 use sieben_model::visible;
+use sieben_workspace::duration;
+use sieben_workspace::failed::Failed;
 
 use super::{Finished, Verdict, Wrong};
-use crate::duration;
-use crate::failed::Failed;
 use crate::failure::{Exit, Failure};
 
 /// How many tests ended how.

@@ -17,7 +17,11 @@ use sieben_sim::runner::{Watcher, Writers};
 use sieben_sim::scenario::{Difference, Happened, Onlooker, Scenario, ScenarioError};
 use sieben_sim::timing_diagram::{Mark, Options};
 use sieben_sim::trace::{Channel, Keep, Memory, Moment, Origin, Recorder, Trace};
+use sieben_workspace::controller;
+use sieben_workspace::duration;
+use sieben_workspace::failed::{self, Heard};
 use sieben_workspace::finding;
+use sieben_workspace::places::Places;
 use sieben_workspace::project::{Build, Overrides};
 
 use super::coverage::{Counting, Looking, looking};
@@ -25,13 +29,11 @@ use super::last_change;
 use super::time_limit::TimeLimit;
 use super::{After, Case, Conditions, Outcome, Verdict, Wrong, drawing};
 use crate::engines::EngineArgument;
-use crate::failed::{self, Heard};
 use crate::failure::Failure;
 use crate::paths::shown;
-use crate::places::Places;
 use crate::project;
+use crate::report;
 use crate::tracing::scenario::{self as files, Unusable};
-use crate::{controller, duration, report};
 
 /// Scans before a difference that its diagram shows, and behind it.
 const BEFORE: u64 = 30;
@@ -182,7 +184,7 @@ impl Test<'_> {
             differences: Vec::new(),
             counting: self.conditions.coverage.is_some().then(|| Counting::new(&self.looking)),
         };
-        self.go(&controller::loaded(&self.build, engine, StatusBits::All), &mut judge);
+        self.go(&controller::loaded(&self.build, engine.factory(StatusBits::All)), &mut judge);
         if let Some((collector, counting)) = self.conditions.coverage.as_ref().zip(judge.counting.take()) {
             collector.add(&self.build, None, counting.counts);
         }

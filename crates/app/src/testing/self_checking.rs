@@ -13,15 +13,18 @@ use sieben_model::source::FileId;
 use sieben_ide::cross_reference::CrossReference;
 use sieben_ide::target::Target;
 use sieben_model::block::{BlockId, BlockKind};
+use sieben_workspace::controller;
+use sieben_workspace::duration;
 use sieben_workspace::finding;
 use sieben_workspace::project::{Build, Overrides};
+use sieben_workspace::schedule;
 
 use super::coverage::{Counting, looking};
 use super::time_limit::TimeLimit;
 use super::{After, Conditions, Outcome, Verdict, Wrong};
 use crate::engines::EngineArgument;
 use crate::project;
-use crate::{controller, duration, report, schedule};
+use crate::report;
 
 /// Virtual time in which such a program has to end if nothing is said.
 const LIMIT: Duration = Duration::from_secs(60);
@@ -49,7 +52,7 @@ pub(crate) fn run(paths: &[PathBuf], test: Option<&PathBuf>, named: bool, condit
     }
     // Who counts statements needs the interpreter.
     let engine = if conditions.coverage.is_some() { EngineArgument::Interpreter } else { conditions.engine };
-    let mut cpu = controller::load(&build, engine, StatusBits::All, controller::settings(&build));
+    let mut cpu = controller::load(&build, engine.factory(StatusBits::All), controller::settings(&build));
     let cycle = schedule::going_cycle(conditions.cycle, &build.project.settings);
     let limit = conditions.limit.unwrap_or(LIMIT);
     let time_limit = TimeLimit::start(&cpu, conditions.timeout.saturating_sub(begun.elapsed()));

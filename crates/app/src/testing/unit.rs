@@ -15,8 +15,11 @@ use sieben_sim::names::Name;
 use sieben_sim::runner::{self, Limits, Watcher, Writers};
 use sieben_sim::timing_diagram;
 use sieben_sim::trace::{Keep, Memory, Origin, Recorder, Trace};
+use sieben_workspace::controller;
+use sieben_workspace::duration;
 use sieben_workspace::finding;
 use sieben_workspace::project::{Build, Overrides};
+use sieben_workspace::schedule;
 
 use super::coverage::{Counting, Looking, looking};
 use super::last_change;
@@ -25,7 +28,7 @@ use super::{After, Case, Conditions, Outcome, Verdict, Wrong, drawing};
 use crate::engines::EngineArgument;
 use crate::paths::shown;
 use crate::project;
-use crate::{controller, duration, report, schedule};
+use crate::report;
 
 /// Bytes of local data that the blocks of a test have beside those of the CPU type: what a test needs must not fail a program that
 /// fits.

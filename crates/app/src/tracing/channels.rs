@@ -8,11 +8,11 @@ use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
 use sieben_sim::names::Name;
 use sieben_sim::trace::CHANNELS_MAX;
+use sieben_workspace::names;
+use sieben_workspace::places::Places;
 use sieben_workspace::project::Build;
 
 use crate::failure::Failure;
-use crate::names;
-use crate::places::Places;
 
 /// The areas whose addresses are recorded when nobody names any.
 const AREAS: [Area; 4] = [Area::Input, Area::PeripheralInput, Area::Output, Area::PeripheralOutput];

@@ -8,13 +8,14 @@ use sieben_cpu::{IoModule, Rack, SimulatedModule};
 use sieben_model::problems::Problem;
 use sieben_sim::scenario::Scenario;
 use sieben_sim::trace::{self, Origin};
+use sieben_workspace::controller;
 use sieben_workspace::finding::{Finding, Texts};
 use sieben_workspace::project::Build;
 
 use crate::failure::{Exit, Failure};
 use crate::report;
 use crate::schedule::ScheduleArguments;
-use crate::{controller, files, output, paths};
+use crate::{files, output, paths};
 
 /// Bytes of a scenario at most: a day of a busy plant, and what a computer can hold beside its lines.
 const BYTES_MAX: u64 = 1 << 30;

@@ -4,15 +4,14 @@ use std::path::{Path, PathBuf};
 
 use ratatui::Terminal;
 use ratatui::backend::TestBackend;
-use sieben_jit::StatusBits;
+use sieben_engine::Interpreter;
 use sieben_sim::history::Plan;
+use sieben_workspace::controller;
 use sieben_workspace::project::{Build, Overrides};
 
 use super::draw;
 use super::keys::Command;
 use super::picture::Screen;
-use crate::controller;
-use crate::engines::EngineArgument;
 use crate::project;
 use crate::stepping::{Direction, Language, Stepper, Unit};
 
@@ -24,7 +23,7 @@ fn build() -> Build {
 }
 
 fn stepper(build: &Build) -> Stepper<'_> {
-    let cpu = controller::load(build, EngineArgument::Interpreter, StatusBits::All, controller::settings(build));
+    let cpu = controller::load(build, Interpreter::load, controller::settings(build));
     Stepper::new(build, cpu, Plan::new(10_000, None, Vec::new()))
 }
 

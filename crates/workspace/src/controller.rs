@@ -2,19 +2,16 @@
 
 use std::sync::Arc;
 
+use crate::project::Build;
+use crate::settings::modules;
 use serde_json::{Value, json};
 use sieben_cpu::{Cpu, CyclicInterrupt, Loaded, Rack, Settings, StopCause};
-use sieben_engine::FaultPlace;
-use sieben_jit::StatusBits;
+use sieben_engine::{Engine, FaultPlace, Layout, Program};
 use sieben_model::block::BlockId;
 use sieben_model::source::Span;
-use sieben_workspace::project::Build;
-use sieben_workspace::settings::modules;
-
-use crate::engines::EngineArgument;
 
 /// How the project sets up its CPU; what is not said is as usual.
-pub(crate) fn settings(build: &Build) -> Settings {
+pub fn settings(build: &Build) -> Settings {
     let project = &build.project.settings;
     let usual = Settings::default();
     // The project file has the last word about how often the tasks of a CONFIGURATION run.
@@ -32,23 +29,23 @@ pub(crate) fn settings(build: &Build) -> Settings {
 }
 
 /// The modules of the project, and a simulated one at every address that they leave free.
-pub(crate) fn rack(build: &Build) -> Rack {
+pub fn rack(build: &Build) -> Rack {
     modules::rack(&build.project.settings.modules, build.cpu)
 }
 
-/// The program as CPUs take it, any number of them.
-pub(crate) fn loaded(build: &Build, engine: EngineArgument, status: StatusBits) -> Loaded {
+/// The program as CPUs take it, any number of them. `engine` makes it run: the interpreter, or machine code, which is not known here.
+pub fn loaded(build: &Build, engine: impl FnOnce(&Program, &Layout) -> Arc<dyn Engine>) -> Loaded {
     let program = Arc::new(build.compiled.program.clone());
-    Loaded::new(build.cpu, program, |program, layout| engine.load(program, layout, status))
+    Loaded::new(build.cpu, program, engine)
 }
 
 /// A CPU in STOP with the program loaded and the rack of the project.
-pub(crate) fn load(build: &Build, engine: EngineArgument, status: StatusBits, settings: Settings) -> Cpu {
-    Cpu::new(loaded(build, engine, status), rack(build), settings)
+pub fn load(build: &Build, engine: impl FnOnce(&Program, &Layout) -> Arc<dyn Engine>, settings: Settings) -> Cpu {
+    Cpu::new(loaded(build, engine), rack(build), settings)
 }
 
 /// Why the CPU stopped, with the line of the source that did it.
-pub(crate) fn stop_text(build: &Build, cause: &StopCause) -> String {
+pub fn stop_text(build: &Build, cause: &StopCause) -> String {
     let mut text = format!("The CPU went to STOP: {}\n", named(build, &cause.text, cause.place));
     if let Some(Line { file, number, statement }) = stop_line(build, cause) {
         text.push_str(&format!("  {file}:{number}:  {statement}\n"));
@@ -62,51 +59,51 @@ pub(crate) fn stop_text(build: &Build, cause: &StopCause) -> String {
 }
 
 /// A line of a source with its statement.
-pub(crate) struct Line {
+pub struct Line {
     /// The name of the source.
-    pub(crate) file: String,
+    pub file: String,
     /// The line, counted from 1.
-    pub(crate) number: usize,
+    pub number: usize,
     /// The statement that caused something.
-    pub(crate) statement: String,
+    pub statement: String,
 }
 
 /// The line that stopped the CPU.
-pub(crate) fn stop_line(build: &Build, cause: &StopCause) -> Option<Line> {
+pub fn stop_line(build: &Build, cause: &StopCause) -> Option<Line> {
     line_at(build, cause.place?)
 }
 
 /// The place of a statement in the sources; `None` for one that the compiler made.
-pub(crate) fn span_at(build: &Build, place: FaultPlace) -> Option<Span> {
+pub fn span_at(build: &Build, place: FaultPlace) -> Option<Span> {
     let span = *build.compiled.program.code.get(&place.block)?.spans.get(place.statement as usize)?;
     build.project.texts.program.iter().any(|(id, _)| id == span.file).then_some(span)
 }
 
 /// What people call a block of ST: it has a name, and mostly a number that only the compiler gave it. Nothing for blocks of STL.
-pub(crate) fn name_in_source(build: &Build, block: BlockId) -> Option<&str> {
+pub fn name_in_source(build: &Build, block: BlockId) -> Option<&str> {
     let is_called_by_name = build.compiled.bodies.get(&block).is_some_and(|body| body.is_called_by_name());
     build.compiled.block_names.get(&block).filter(|_| is_called_by_name).map(String::as_str)
 }
 
 /// What people call a block.
-pub(crate) fn block_text(build: &Build, block: BlockId) -> String {
+pub fn block_text(build: &Build, block: BlockId) -> String {
     name_in_source(build, block).map_or_else(|| block.to_string(), |name| format!("`{name}`"))
 }
 
 /// What people call the place of a statement.
-pub(crate) fn place_text(build: &Build, place: FaultPlace) -> String {
+pub fn place_text(build: &Build, place: FaultPlace) -> String {
     let named = name_in_source(build, place.block);
     named.map_or_else(|| sieben_cpu::diagnostic_buffer::place_text(place), |name| format!("in `{name}`"))
 }
 
 /// What the CPU tells of something that happened at a statement, with the place as people call it: the CPU knows no names.
-pub(crate) fn named(build: &Build, text: &str, place: Option<FaultPlace>) -> String {
+pub fn named(build: &Build, text: &str, place: Option<FaultPlace>) -> String {
     let Some(place) = place.filter(|place| name_in_source(build, place.block).is_some()) else { return text.to_owned() };
     text.replace(&sieben_cpu::diagnostic_buffer::place_text(place), &place_text(build, place))
 }
 
 /// The line of a statement.
-pub(crate) fn line_at(build: &Build, place: FaultPlace) -> Option<Line> {
+pub fn line_at(build: &Build, place: FaultPlace) -> Option<Line> {
     let span = span_at(build, place)?;
     let sources = &build.project.texts.program;
     let (line, _) = sources.line_column(span);
@@ -115,7 +112,7 @@ pub(crate) fn line_at(build: &Build, place: FaultPlace) -> Option<Line> {
 }
 
 /// The stop with its first cause; statements are counted from 1, as people do.
-pub(crate) fn stop_json(cause: &StopCause) -> Value {
+pub fn stop_json(cause: &StopCause) -> Value {
     json!({
         "event": format!("16#{:04X}", cause.first_event),
         "block": cause.place.map(|place| place.block.to_string()),

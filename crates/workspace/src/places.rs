@@ -2,27 +2,27 @@
 
 use std::collections::HashMap;
 
+use crate::project::Build;
 use sieben_ide::cross_reference::Reference;
 use sieben_ide::target::{Memory, Target};
 use sieben_model::block::BlockId;
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::source::{FileId, Span};
-use sieben_workspace::project::Build;
 
 /// A program with what is needed to print its places.
-pub(crate) struct Places<'a> {
+pub struct Places<'a> {
     build: &'a Build,
     /// Names of blocks that no source of the user names: functions of the CPU and blocks of the library.
     other_names: HashMap<BlockId, &'static str>,
     /// The bytes at which the lines of each source end.
     line_ends: HashMap<FileId, Vec<usize>>,
     /// The language for addresses: German if every source is.
-    pub(crate) mnemonics: Mnemonics,
+    pub mnemonics: Mnemonics,
 }
 
 impl<'a> Places<'a> {
     /// Looks through the sources once.
-    pub(crate) fn new(build: &'a Build) -> Self {
+    pub fn new(build: &'a Build) -> Self {
         let ends = |text: &str| text.bytes().enumerate().filter(|(_, byte)| *byte == b'\n').map(|(index, _)| index).collect();
         let line_ends = build.project.texts.program.iter().map(|(id, source)| (id, ends(&source.text))).collect();
         let mut languages = build.compiled.mnemonics.values().peekable();
@@ -34,28 +34,28 @@ impl<'a> Places<'a> {
     }
 
     /// The line of a place, from 1.
-    pub(crate) fn line(&self, span: Span) -> usize {
+    pub fn line(&self, span: Span) -> usize {
         self.line_ends.get(&span.file).map_or(0, |ends| ends.partition_point(|&end| end < span.start as usize)) + 1
     }
 
     /// The file of a place as the user named it.
-    pub(crate) fn file(&self, span: Span) -> &'a str {
+    pub fn file(&self, span: Span) -> &'a str {
         &self.build.project.texts.program.file(span.file).name
     }
 
     /// `main.awl:12`.
-    pub(crate) fn place(&self, span: Span) -> String {
+    pub fn place(&self, span: Span) -> String {
         format!("{}:{}", self.file(span), self.line(span))
     }
 
     /// The first line of what stands there, with single blanks.
-    pub(crate) fn text(&self, span: Span) -> String {
+    pub fn text(&self, span: Span) -> String {
         let text = self.build.project.texts.program.slice(span);
         text.lines().next().unwrap_or_default().split_whitespace().collect::<Vec<_>>().join(" ")
     }
 
     /// The statement of a reference, in ST the line that it stands on.
-    pub(crate) fn statement(&self, reference: &Reference) -> String {
+    pub fn statement(&self, reference: &Reference) -> String {
         let span = reference.span;
         if reference.instruction.is_some() {
             return self.text(span);
@@ -68,7 +68,7 @@ impl<'a> Places<'a> {
     /// The symbol of a target, or nothing.
     ///
     /// A function of the CPU or block of the library that has no symbol has its own name.
-    pub(crate) fn symbol(&self, target: &Target) -> String {
+    pub fn symbol(&self, target: &Target) -> String {
         let symbol = target.symbol(&self.build.project.symbols, &self.build.compiled.program.data);
         let names = &self.build.compiled.block_names;
         match (target, symbol) {
@@ -94,19 +94,19 @@ impl<'a> Places<'a> {
     }
 
     /// What the variables of programs and global lists of ST are called without the name of their data block.
-    pub(crate) fn plain_name(&self, target: &Target) -> Option<String> {
+    pub fn plain_name(&self, target: &Target) -> Option<String> {
         let Target::Memory(Memory { db: Some(db), .. }) = target else { return None };
         let open = self.build.compiled.program.names.open.contains(db);
         open.then(|| self.symbol(target)).and_then(|name| name.split_once('.').map(|(_, path)| path.to_owned()))
     }
 
     /// The symbol of a block, or nothing.
-    pub(crate) fn block_symbol(&self, block: BlockId) -> String {
+    pub fn block_symbol(&self, block: BlockId) -> String {
         self.symbol(&Target::Block(block))
     }
 
     /// `FC 1` or `FC 1 (Dosing)`.
-    pub(crate) fn block(&self, block: BlockId) -> String {
+    pub fn block(&self, block: BlockId) -> String {
         match self.block_symbol(block) {
             symbol if symbol.is_empty() => block.to_string(),
             symbol => format!("{block} ({symbol})"),
@@ -114,7 +114,7 @@ impl<'a> Places<'a> {
     }
 
     /// A reference as JSON.
-    pub(crate) fn reference_json(&self, reference: &Reference) -> serde_json::Value {
+    pub fn reference_json(&self, reference: &Reference) -> serde_json::Value {
         let mut value = serde_json::json!({
             "block": reference.block.to_string(),
             "network": reference.network,

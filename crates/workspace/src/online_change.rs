@@ -8,7 +8,7 @@ use sieben_cpu::online_change::Loss;
 const LISTED_MAX: usize = 50;
 
 /// `OB 1 changed, FC 5 added`; of very many the first.
-pub(crate) fn blocks(change: &OnlineChange) -> String {
+pub fn blocks(change: &OnlineChange) -> String {
     let mut blocks: Vec<String> = change.blocks.iter().take(LISTED_MAX).map(|(id, what)| format!("{id} {}", what.word())).collect();
     if change.blocks.len() > LISTED_MAX {
         blocks.push(format!("and {} more", change.blocks.len() - LISTED_MAX));
@@ -17,7 +17,7 @@ pub(crate) fn blocks(change: &OnlineChange) -> String {
 }
 
 /// What cannot be kept and what stays although the sources say something else, in lines.
-pub(crate) fn details(change: &OnlineChange) -> String {
+pub fn details(change: &OnlineChange) -> String {
     let mut text = String::new();
     if !change.losses.is_empty() {
         text.push_str("What cannot be kept:\n");
@@ -39,7 +39,7 @@ pub(crate) fn details(change: &OnlineChange) -> String {
 }
 
 /// All of it for programs.
-pub(crate) fn to_json(change: &OnlineChange) -> Value {
+pub fn to_json(change: &OnlineChange) -> Value {
     let blocks: Vec<Value> = change.blocks.iter().map(|(id, what)| json!({ "block": id.to_string(), "change": what.word() })).collect();
     let loss = |loss: &Loss| {
         json!({

@@ -2,16 +2,16 @@
 
 use std::collections::BTreeMap;
 
+use crate::project::Build;
 use sieben_engine::{FaultPlace, LocalAccess, Machine, StatementEvent, Tracer};
 use sieben_model::block::BlockId;
 use sieben_model::diagnostic::Diagnostic;
 use sieben_model::interface::Section;
 use sieben_model::problems::Problem;
-use sieben_workspace::project::Build;
 
 /// What is known of the local data while a program runs.
 #[derive(Debug, Default)]
-pub(crate) struct LocalCheck {
+pub struct LocalCheck {
     /// The bits of each byte that have a value.
     known: Vec<u8>,
     /// The first read of each place: what was read there, and how often.
@@ -39,7 +39,7 @@ impl LocalCheck {
     }
 
     /// One warning for each statement that has read what nothing had written.
-    pub(crate) fn findings(&self, build: &Build) -> Vec<Diagnostic> {
+    pub fn findings(&self, build: &Build) -> Vec<Diagnostic> {
         let mut out = Vec::new();
         for (&(block, statement), read) in &self.reads {
             let code = build.compiled.program.code.get(&block);

@@ -1,17 +1,17 @@
 //! What the user learns of statements that failed while the program went on, and of the diagnostic buffer.
 
+use crate::project::Build;
 use serde_json::{Value, json};
 use sieben_cpu::{Cpu, DiagnosticEntry, FailedStatements};
 use sieben_sim::trace::moment;
-use sieben_workspace::project::Build;
 
 use crate::controller;
 
 /// Statements that failed in a run: how often, and the first one.
 #[derive(Clone, Debug)]
-pub(crate) struct Failed {
+pub struct Failed {
     /// How often a statement failed.
-    pub(crate) count: u64,
+    pub count: u64,
     /// What was wrong with the first one.
     text: String,
     /// Its block.
@@ -25,7 +25,7 @@ pub(crate) struct Failed {
 
 impl Failed {
     /// Those of a CPU that ran this program.
-    pub(crate) fn of(build: &Build, cpu: &Cpu) -> Option<Self> {
+    pub fn of(build: &Build, cpu: &Cpu) -> Option<Self> {
         Self::told(build, cpu.failed_statements())
     }
 
@@ -48,12 +48,12 @@ impl Failed {
     }
 
     /// The same, of so many.
-    pub(crate) fn in_all(self, count: u64) -> Self {
+    pub fn in_all(self, count: u64) -> Self {
         Self { count, ..self }
     }
 
     /// The same of several runs: how often in all, and the first of the first.
-    pub(crate) fn of_all<'a>(all: impl IntoIterator<Item = &'a Self>) -> Option<Self> {
+    pub fn of_all<'a>(all: impl IntoIterator<Item = &'a Self>) -> Option<Self> {
         let mut all = all.into_iter();
         let mut whole = all.next()?.clone();
         whole.count = all.fold(whole.count, |sum, one| sum.saturating_add(one.count));
@@ -61,7 +61,7 @@ impl Failed {
     }
 
     /// In one line.
-    pub(crate) fn line(&self) -> String {
+    pub fn line(&self) -> String {
         let often = match self.count {
             1 => "A statement failed once,".to_owned(),
             count => format!("Statements failed {count} times, first"),
@@ -70,14 +70,14 @@ impl Failed {
     }
 
     /// The first one: its scan, its place and what was wrong.
-    pub(crate) fn first_line(&self) -> String {
+    pub fn first_line(&self) -> String {
         let place = self.place.as_ref().map_or_else(String::new, |(file, line, column)| format!("{file}:{line}:{column} "));
         let statement = self.statement.as_ref().map_or_else(String::new, |statement| format!(", `{statement}`"));
         format!("{}: {place}in {}{statement}: {}", moment::scan_words(self.scan), self.block, self.text)
     }
 
     /// As JSON.
-    pub(crate) fn json(&self) -> Value {
+    pub fn json(&self) -> Value {
         let (file, line, column) =
             self.place.clone().map_or((None, None, None), |(file, line, column)| (Some(file), Some(line), Some(column)));
         json!({
@@ -92,7 +92,7 @@ impl Failed {
 
 /// Listens to a run in which the CPU may be another one after a power failure.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Heard {
+pub struct Heard {
     /// All until now; the first of the first.
     all: FailedStatements,
     /// Those of CPUs that are gone.
@@ -101,7 +101,7 @@ pub(crate) struct Heard {
 
 impl Heard {
     /// After a scan.
-    pub(crate) fn hear(&mut self, cpu: &Cpu) {
+    pub fn hear(&mut self, cpu: &Cpu) {
         let now = cpu.failed_statements();
         if self.before.saturating_add(now.count) < self.all.count {
             self.before = self.all.count;
@@ -113,26 +113,26 @@ impl Heard {
     }
 
     /// What was heard.
-    pub(crate) fn failed(&self, build: &Build) -> Option<Failed> {
+    pub fn failed(&self, build: &Build) -> Option<Failed> {
         Failed::told(build, &self.all)
     }
 }
 
 /// The diagnostic buffer as people read it, newest entry first, with blocks as they are called.
-pub(crate) fn buffer_text(build: &Build, cpu: &Cpu, most: usize) -> String {
+pub fn buffer_text(build: &Build, cpu: &Cpu, most: usize) -> String {
     let lines: String = cpu.diagnostic_buffer().entries().take(most).map(|entry| format!("  {}\n", entry_text(build, entry))).collect();
     format!("Diagnostic buffer, newest first:\n{}", if lines.is_empty() { "  (empty)\n" } else { &lines })
 }
 
 /// An entry of the diagnostic buffer in one line.
-pub(crate) fn entry_text(build: &Build, entry: &DiagnosticEntry) -> String {
+pub fn entry_text(build: &Build, entry: &DiagnosticEntry) -> String {
     let at = entry.place.and_then(|place| controller::line_at(build, place));
     let at = at.map_or_else(String::new, |line| format!("  {}:{}", line.file, line.number));
     format!("{}  16#{:04X}  {}{at}", entry.time.display(), entry.event(), controller::named(build, &entry.text(), entry.place))
 }
 
 /// The diagnostic buffer as JSON, newest entry first.
-pub(crate) fn buffer_json(build: &Build, cpu: &Cpu) -> Value {
+pub fn buffer_json(build: &Build, cpu: &Cpu) -> Value {
     let entry = |entry: &DiagnosticEntry| {
         let line = entry.place.and_then(|place| controller::line_at(build, place));
         json!({
