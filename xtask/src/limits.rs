@@ -46,7 +46,7 @@ const CHAPTERS: &[Chapter] = &[
     Chapter {
         title: "Stepping",
         about: "`sieben step` and the history of a run.",
-        paths: &["crates/sim/src/history", "crates/app/src/stepping"],
+        paths: &["crates/sim/src/history", "crates/workspace/src/session", "crates/app/src/stepping"],
     },
     Chapter {
         title: "Files and the command line",

@@ -18,6 +18,7 @@ pub mod places;
 pub mod project;
 pub mod refusal;
 pub mod schedule;
+pub mod session;
 pub mod settings;
 pub mod status;
 

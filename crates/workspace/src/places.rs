@@ -1,5 +1,6 @@
 //! Places in sources and names of blocks, as reference data prints them.
 
+use std::borrow::Cow;
 use std::collections::HashMap;
 
 use crate::project::Build;
@@ -9,20 +10,27 @@ use sieben_model::block::BlockId;
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::source::{FileId, Span};
 
-/// A program with what is needed to print its places.
-pub struct Places<'a> {
-    build: &'a Build,
+/// What is looked up to print the places of a program, found once.
+#[derive(Clone, Debug)]
+pub struct Index {
     /// Names of blocks that no source of the user names: functions of the CPU and blocks of the library.
     other_names: HashMap<BlockId, &'static str>,
     /// The bytes at which the lines of each source end.
     line_ends: HashMap<FileId, Vec<usize>>,
+    mnemonics: Mnemonics,
+}
+
+/// A program with what is needed to print its places.
+pub struct Places<'a> {
+    build: &'a Build,
+    index: Cow<'a, Index>,
     /// The language for addresses: German if every source is.
     pub mnemonics: Mnemonics,
 }
 
-impl<'a> Places<'a> {
+impl Index {
     /// Looks through the sources once.
-    pub fn new(build: &'a Build) -> Self {
+    pub fn new(build: &Build) -> Self {
         let ends = |text: &str| text.bytes().enumerate().filter(|(_, byte)| *byte == b'\n').map(|(index, _)| index).collect();
         let line_ends = build.project.texts.program.iter().map(|(id, source)| (id, ends(&source.text))).collect();
         let mut languages = build.compiled.mnemonics.values().peekable();
@@ -30,12 +38,25 @@ impl<'a> Places<'a> {
         let system = sieben_cpu::system::interfaces().into_iter().map(|block| (block.block, block.name));
         let library = build.compiled.library.iter().map(|linked| (linked.id, linked.block.name));
         let other_names = system.chain(library).collect();
-        Self { build, other_names, line_ends, mnemonics: if german { Mnemonics::German } else { Mnemonics::English } }
+        Self { other_names, line_ends, mnemonics: if german { Mnemonics::German } else { Mnemonics::English } }
+    }
+}
+
+impl<'a> Places<'a> {
+    /// Looks through the sources once.
+    pub fn new(build: &'a Build) -> Self {
+        let index = Index::new(build);
+        Self { build, mnemonics: index.mnemonics, index: Cow::Owned(index) }
+    }
+
+    /// The same with what was looked up before, of the same program.
+    pub fn with(build: &'a Build, index: &'a Index) -> Self {
+        Self { build, mnemonics: index.mnemonics, index: Cow::Borrowed(index) }
     }
 
     /// The line of a place, from 1.
     pub fn line(&self, span: Span) -> usize {
-        self.line_ends.get(&span.file).map_or(0, |ends| ends.partition_point(|&end| end < span.start as usize)) + 1
+        self.index.line_ends.get(&span.file).map_or(0, |ends| ends.partition_point(|&end| end < span.start as usize)) + 1
     }
 
     /// The file of a place as the user named it.
@@ -80,7 +101,7 @@ impl<'a> Places<'a> {
             }
             (_, Some(symbol)) => symbol,
             (Target::Block(block), None) => {
-                let name = self.other_names.get(block).copied().or_else(|| names.get(block).map(String::as_str));
+                let name = self.index.other_names.get(block).copied().or_else(|| names.get(block).map(String::as_str));
                 name.unwrap_or_default().to_owned()
             }
             (target, None) => {

@@ -1,24 +1,24 @@
 //! A run as a file: the program it belongs to and what came from outside. Virtual time makes the rest come again.
 
+use crate::project::Build;
 use sieben_cpu::Restart;
 use sieben_engine::Program;
 use sieben_sim::duration::CYCLE_MAX;
 use sieben_sim::history::{Action, History};
 use sieben_sim::names::{Name, Setting};
-use sieben_workspace::project::Build;
 
-use super::Stepper;
+use super::Session;
 
 /// The first line of a recording.
 const HEAD: &str = "sieben recording 1";
 /// Actions of a recording at most.
 const ACTIONS_MAX: u64 = 2_000_000;
 /// Bytes of a recording at most.
-pub(crate) const BYTES_MAX: u64 = 64 << 20;
+pub const BYTES_MAX: u64 = 64 << 20;
 
 /// Why a recording is of no use.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) enum Unusable {
+pub enum Unusable {
     /// It belongs to another program, or to another CPU type.
     OtherProgram,
     /// A line is not understood: its number from 1, and why.
@@ -29,7 +29,7 @@ pub(crate) enum Unusable {
 ///
 /// FNV-1a over the code and the values of data blocks as they are printed for debugging: it is the same on every machine, and a new version
 /// of Sieben that compiles otherwise has other numbers, as it should.
-pub(crate) fn fingerprint(build: &Build) -> u64 {
+pub fn fingerprint(build: &Build) -> u64 {
     struct Hasher(u64);
     impl std::fmt::Write for Hasher {
         fn write_str(&mut self, text: &str) -> std::fmt::Result {
@@ -55,12 +55,12 @@ pub(crate) fn fingerprint(build: &Build) -> u64 {
 }
 
 /// The recording of a run from its beginning to where it stands, as text. `None` if its beginning is forgotten.
-pub(crate) fn write(stepper: &Stepper<'_>) -> Option<String> {
-    let history: &History = stepper.history();
+pub fn write(session: &Session) -> Option<String> {
+    let history: &History = session.history();
     if !history.is_whole() {
         return None;
     }
-    let mut text = format!("{HEAD}\nprogram {:016x} on {}\n", fingerprint(stepper.build()), stepper.build().cpu.name);
+    let mut text = format!("{HEAD}\nprogram {:016x} on {}\n", fingerprint(session.build()), session.build().cpu.name);
     let mut scans: Option<Scans> = None;
     for (action, at, inside) in history.actions().take(history.position().actions) {
         if let (Action::Scan { now_us }, Some(run)) = (action, &mut scans)
@@ -119,18 +119,18 @@ fn restart_word(restart: Restart) -> &'static str {
 
 /// What a recording says: what came from outside, and where the run ends, in statements.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Recording {
+pub struct Recording {
     /// Action, statements before it if it came inside a scan.
-    pub(crate) actions: Vec<(Action, Option<u64>)>,
+    pub actions: Vec<(Action, Option<u64>)>,
     /// Statements of the run.
-    pub(crate) end: u64,
+    pub end: u64,
 }
 
 /// Reads a recording of a program; `parse` reads names.
 ///
 /// # Errors
 /// It is another program's, or a line is not understood.
-pub(crate) fn read(text: &str, build: &Build, parse: impl Fn(&str) -> Result<Name, String>) -> Result<Recording, Unusable> {
+pub fn read(text: &str, build: &Build, parse: impl Fn(&str) -> Result<Name, String>) -> Result<Recording, Unusable> {
     let mut lines = (1..).zip(text.lines());
     let wrong = |line: usize, message: &str| Unusable::Line(line, message.to_owned());
     if lines.next().is_none_or(|(_, line)| line.trim() != HEAD) {
@@ -177,8 +177,7 @@ pub(crate) fn read(text: &str, build: &Build, parse: impl Fn(&str) -> Result<Nam
                     Some((at, rest)) => (Some(at.parse().map_err(|_| wrong(number, "`@` is followed by a number of statements"))?), rest),
                     None => (None, rest),
                 };
-                let (name, value) =
-                    sieben_workspace::names::split_assignment(assignment).map_err(|refusal| wrong(number, &refusal.message))?;
+                let (name, value) = crate::names::split_assignment(assignment).map_err(|refusal| wrong(number, &refusal.message))?;
                 let name = parse(name).map_err(|message| wrong(number, &message))?;
                 let setting = Setting::new(name, value).map_err(|error| wrong(number, &error.to_string()))?;
                 actions.push((Action::Set(setting), at));

@@ -1,16 +1,14 @@
-//! Everything that `sieben step` says by itself, in English and German: headings, answers, errors of commands, keys.
+//! Everything that `sieben step` says by itself, in English and German: headings, answers, errors of commands.
 //!
 //! A text with `{0}`, `{1}` has values put there by [`fill`]. The reasons of statements are a table of their own, in `lang::reason`.
-
-use sieben_sim::history::Halt;
 
 use super::Language;
 
 /// A text in both languages.
-pub(crate) type Text = [&'static str; 2];
+pub type Text = [&'static str; 2];
 
 /// One of two texts.
-pub(crate) fn pick(language: Language, [english, german]: Text) -> &'static str {
+pub fn pick(language: Language, [english, german]: Text) -> &'static str {
     match language {
         Language::English => english,
         Language::German => german,
@@ -18,7 +16,7 @@ pub(crate) fn pick(language: Language, [english, german]: Text) -> &'static str 
 }
 
 /// A text with values in their places.
-pub(crate) fn fill(language: Language, text: Text, values: &[&dyn std::fmt::Display]) -> String {
+pub fn fill(language: Language, text: Text, values: &[&dyn std::fmt::Display]) -> String {
     let mut out = String::new();
     let mut rest = pick(language, text);
     while let Some((before, behind)) = rest.split_once('{') {
@@ -30,20 +28,6 @@ pub(crate) fn fill(language: Language, text: Text, values: &[&dyn std::fmt::Disp
         rest = behind;
     }
     out + rest
-}
-
-/// Why a movement ended, for the screen, if it did not simply come to where it was to go.
-pub(crate) fn halt(halt: &Halt, language: Language) -> &'static str {
-    let words = match halt {
-        Halt::Reached | Halt::Watch => ["", ""],
-        Halt::ScanEnd => ["the scan is over", "der Zyklus ist zu Ende"],
-        Halt::Limit => ["stopped after 1,000,000 statements; run on with r", "nach 1.000.000 Anweisungen angehalten; weiter mit r"],
-        Halt::Stopped => STOPPED,
-        Halt::NoMoreScans => ["there are no more scans (--scans)", "es gibt keine Zyklen mehr (--scans)"],
-        Halt::Beginning => ["this is the beginning of the run", "hier beginnt der Lauf"],
-        Halt::Forgotten => ["what was before is no longer kept", "was davor war, ist nicht mehr aufgehoben"],
-    };
-    pick(language, words)
 }
 
 // The table of statements.
@@ -60,7 +44,8 @@ pub(crate) const IN_SCAN: Text = ["in scan {0}", "im Zyklus {0}"];
 pub(crate) const END_OF_SCAN: Text = ["the end of scan {0}", "das Ende von Zyklus {0}"];
 pub(crate) const NOT_YET: Text =
     ["it has not come there yet; the same command goes on", "so weit ist es noch nicht; derselbe Befehl geht weiter"];
-pub(crate) const STOPPED: Text = ["the CPU is in STOP", "die CPU ist in STOP"];
+/// The CPU does not run.
+pub const STOPPED: Text = ["the CPU is in STOP", "die CPU ist in STOP"];
 pub(crate) const ALL_SCANS: Text = ["all {0} scans have run", "alle {0} Zyklen sind gelaufen"];
 pub(crate) const BEGINNING: Text = ["this is the beginning", "hier ist der Anfang"];
 pub(crate) const FORGOTTEN: Text = [
@@ -141,10 +126,11 @@ pub(crate) const REGISTER_WRITTEN: Text = [
     "`{0}` is a register, which nearly every statement writes; `watch {0}` waits for a change",
     "`{0}` ist ein Register, das fast jede Anweisung schreibt; `watch {0}` wartet auf eine Änderung",
 ];
-pub(crate) const NO_BLOCK_RUNS: Text =
-    ["no block runs: the CPU is between two scans", "es läuft kein Baustein: Die CPU ist zwischen zwei Zyklen"];
+/// Between two scans there are no variables of blocks.
+pub const NO_BLOCK_RUNS: Text = ["no block runs: the CPU is between two scans", "es läuft kein Baustein: Die CPU ist zwischen zwei Zyklen"];
 pub(crate) const NO_VARIABLES: Text = ["{0} has no variables of its own", "{0} hat keine eigenen Variablen"];
-pub(crate) const VARIABLES_OF: Text = ["variables of {0}", "Variablen von {0}"];
+/// The heading of the variables of a block.
+pub const VARIABLES_OF: Text = ["variables of {0}", "Variablen von {0}"];
 pub(crate) const NOTHING_RAN: Text = ["no statement has run", "es ist noch keine Anweisung gelaufen"];
 
 // Places.
@@ -165,52 +151,6 @@ pub(crate) const NO_LABEL: Text = ["`{0}` has no label `{1}`", "`{0}` hat keine 
 pub(crate) const NO_STATEMENT_FROM: Text = [
     "no statement stands in `{0}` from line {1} on; the last one is in line {2}",
     "in `{0}` steht ab Zeile {1} keine Anweisung mehr; die letzte steht in Zeile {2}",
-];
-
-// Failures.
-
-pub(crate) const ERROR: Text = ["Error", "Fehler"];
-pub(crate) const HELP_WORD: Text = ["Help", "Hilfe"];
-
-/// What to do about a problem, in German; in English the table of problems says it.
-pub(crate) const HELP_GERMAN: [(&str, &str); 5] = [
-    ("P7003", "Eine Adresse, ein Symbol, `DB1.name`, `#name` oder ein Register angeben."),
-    ("P7004", "Einen Wert angeben, der zu dem Namen passt: `I0.0=1`, `MW10=W#16#00FF`."),
-    ("P7040", "`help` zeigt die Befehle."),
-    ("P7041", "So geht es: `FC 1:3` (die dritte Anweisung), `FC 1:marke` oder `main.awl:12` (eine Zeile)."),
-    ("P7042", "Ein Name, eines von =, <>, >, >=, <, <= und ein Wert: `MW10 > 5`."),
-];
-
-// The screen.
-
-/// The line of keys, shortened to what is used most.
-pub(crate) const KEYS: [(&str, Text); 8] = [
-    ("s", ["step", "Schritt"]),
-    ("S", ["back", "zurück"]),
-    ("n", ["network", "Netzwerk"]),
-    ("c", ["scan", "Zyklus"]),
-    ("r", ["run", "Lauf"]),
-    ("␣", ["break", "Halt"]),
-    ("h", ["help", "Hilfe"]),
-    ("q", ["quit", "Ende"]),
-];
-
-/// All keys, for the help.
-pub(crate) const HELP: &[(&str, Text)] = &[
-    ("s o u", ["step one statement, over a call, out of the block", "eine Anweisung, über einen Aufruf, aus dem Baustein"]),
-    ("n b c", ["step to the next network, block, scan", "zum nächsten Netzwerk, Baustein, Zyklus"]),
-    ("S O U N B C", ["the same steps back", "dieselben Schritte zurück"]),
-    ("r R", ["run to a breakpoint, run back to one", "bis zu einem Haltepunkt, zurück zu einem"]),
-    ("↑ ↓ PgUp PgDn", ["move the cursor", "Schreibmarke bewegen"]),
-    ("g", ["run to the line of the cursor", "bis zur Zeile der Schreibmarke"]),
-    ("space", ["breakpoint here; among the bits: switch the bit", "Haltepunkt hier; bei den Bits: Bit umschalten"]),
-    ("⇥", ["between source and bits; ← → choose a bit", "zwischen Quelle und Bits; ← → wählen ein Bit"]),
-    ("v", ["bits, or the variables of the block", "Bits oder die Variablen des Bausteins"]),
-    ("d", ["the network as a diagram, as ladder, FBD or not", "das Netzwerk als Plan: KOP, FUP oder keiner"]),
-    ("w p f", ["watch a value, print one, find who changed one", "Wert beobachten, zeigen, finden, wer ihn änderte"]),
-    (":", ["any command of `sieben step --commands`", "jeder Befehl von `sieben step --commands`"]),
-    ("l", ["German", "Englisch"]),
-    ("q", ["quit", "Ende"]),
 ];
 
 #[cfg(test)]

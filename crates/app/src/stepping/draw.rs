@@ -5,9 +5,10 @@ use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::style::{Color, Modifier, Style};
 use ratatui::text::{Line, Span};
 use ratatui::widgets::{Block, BorderType, Clear, Paragraph, Wrap};
+use sieben_workspace::session::texts::{self, pick};
 
 use super::picture::{Focus, Picture, SourceLine, pointer};
-use crate::stepping::texts::{self, HELP, KEYS, pick};
+use super::words::{HELP, KEYS};
 
 /// Smallest terminal that the picture fits into.
 pub(super) const MIN_WIDTH: u16 = 80;

@@ -1,25 +1,25 @@
 //! The commands of `sieben step`, one line each.
 
+use crate::controller;
+use crate::names as command_names;
+use crate::nearest::{nearest, one_of};
 use sieben_model::block::BlockId;
 use sieben_model::problems::Problem;
 use sieben_sim::history::{Condition, Halt, Target};
 use sieben_sim::names::{Name, Setting};
-use sieben_workspace::controller;
-use sieben_workspace::names as command_names;
-use sieben_workspace::nearest::{nearest, one_of};
 
 use super::texts::{self, Text, pick};
-use super::{Direction, Language, LocalValue, STATEMENTS_MAX, Stepper, Unit, Who};
-use crate::failure::Failure;
+use super::{Direction, Language, LocalValue, STATEMENTS_MAX, Session, Unit, Who};
+use crate::refusal::Refusal;
 
 /// Longest line that is read as a command.
-pub(crate) const LINE_MAX: usize = 4096;
+pub const LINE_MAX: usize = 4096;
 /// Statements of one `step` that each get a row; of more only the last is shown.
 const ROWS_MAX: u64 = 200;
 
 /// What a command is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Verb {
+enum Verb {
     /// Steps by a unit.
     Step(Unit),
     /// Steps back, by statements or a unit.
@@ -45,20 +45,20 @@ pub(crate) enum Verb {
 }
 
 /// A command with its words and what it does.
-pub(crate) struct Row {
+pub struct Row {
     /// Its names, the first one is the usual one.
-    pub(crate) names: &'static [&'static str],
+    pub names: &'static [&'static str],
     /// What stands behind it.
-    pub(crate) operand: Text,
+    pub operand: Text,
     /// What it does.
-    pub(crate) help: Text,
+    pub help: Text,
     verb: Verb,
 }
 
 macro_rules! rows {
     ($($verb:expr, [$($name:literal),+], $operand:expr, $help:expr;)*) => {
         /// All commands.
-        pub(crate) const ROWS: &[Row] = &[$(Row { names: &[$($name),+], operand: $operand, help: $help, verb: $verb },)*];
+        pub const ROWS: &[Row] = &[$(Row { names: &[$($name),+], operand: $operand, help: $help, verb: $verb },)*];
     };
 }
 
@@ -108,7 +108,7 @@ rows! {
 
 /// What a command came to.
 #[derive(Clone, Debug)]
-pub(crate) enum Answer {
+pub enum Answer {
     /// The run moved; `rows` asks for a row of each of so many statements.
     Moved(Halt),
     /// Lines to print; nothing moved.
@@ -133,22 +133,22 @@ pub(crate) enum Answer {
     Quit,
 }
 
-fn wrong(message: impl Into<String>) -> Failure {
-    Failure::usage(Problem::P7040, message)
+fn wrong(message: impl Into<String>) -> Refusal {
+    Refusal::new(Problem::P7040, message)
 }
 
-fn no_place(message: String) -> Failure {
-    Failure::usage(Problem::P7041, message)
+fn no_place(message: String) -> Refusal {
+    Refusal::new(Problem::P7041, message)
 }
 
 /// Carries out one line. `row` is called after each of a few statements.
 ///
 /// # Errors
 /// The line is no command, or it cannot be carried out; then nothing has changed.
-pub(crate) fn carry_out(stepper: &mut Stepper<'_>, line: &str, row: &mut dyn FnMut(&mut Stepper<'_>)) -> Result<Answer, Failure> {
+pub fn carry_out(session: &mut Session, line: &str, row: &mut dyn FnMut(&mut Session)) -> Result<Answer, Refusal> {
     let line = line.trim();
     if line.len() > LINE_MAX {
-        return Err(wrong(stepper.say(texts::COMMAND_TOO_LONG, &[&LINE_MAX, &line.len()])));
+        return Err(wrong(session.say(texts::COMMAND_TOO_LONG, &[&LINE_MAX, &line.len()])));
     }
     if line.is_empty() || line.starts_with('#') || line.starts_with("//") {
         return Ok(Answer::Nothing);
@@ -157,26 +157,26 @@ pub(crate) fn carry_out(stepper: &mut Stepper<'_>, line: &str, row: &mut dyn FnM
     let found = ROWS.iter().find(|row| row.names.iter().any(|name| name.eq_ignore_ascii_case(word)));
     let Some(found) = found else {
         let names = ROWS.iter().map(|row| row.names[0]);
-        let and = pick(stepper.language, ["or", "und"]);
-        let failure = wrong(stepper.say(texts::NO_COMMAND, &[&word, &one_of(names.clone()).replace(" or ", &format!(" {and} "))]));
+        let and = pick(session.language, ["or", "und"]);
+        let refusal = wrong(session.say(texts::NO_COMMAND, &[&word, &one_of(names.clone()).replace(" or ", &format!(" {and} "))]));
         return Err(match nearest(word, names) {
-            Some(near) => failure.help(stepper.say(texts::DID_YOU_MEAN, &[&near])),
-            None => failure,
+            Some(near) => refusal.help(session.say(texts::DID_YOU_MEAN, &[&near])),
+            None => refusal,
         });
     };
-    let takes = pick(stepper.language, found.operand);
+    let takes = pick(session.language, found.operand);
     if takes.is_empty() && !operand.is_empty() {
-        return Err(wrong(stepper.say(texts::NOTHING_BEHIND, &[&found.names[0], &operand])));
+        return Err(wrong(session.say(texts::NOTHING_BEHIND, &[&found.names[0], &operand])));
     }
     if operand.is_empty() && !takes.is_empty() && !takes.starts_with('[') {
-        return Err(wrong(stepper.say(texts::SOMETHING_BEHIND, &[&found.names[0], &takes])));
+        return Err(wrong(session.say(texts::SOMETHING_BEHIND, &[&found.names[0], &takes])));
     }
-    verb(stepper, found, operand, row)
+    verb(session, found, operand, row)
 }
 
-fn verb(stepper: &mut Stepper<'_>, found: &Row, operand: &str, row: &mut dyn FnMut(&mut Stepper<'_>)) -> Result<Answer, Failure> {
+fn verb(session: &mut Session, found: &Row, operand: &str, row: &mut dyn FnMut(&mut Session)) -> Result<Answer, Refusal> {
     Ok(match found.verb {
-        Verb::Step(unit) => steps(stepper, unit, Direction::Forward, count(stepper, operand)?, row),
+        Verb::Step(unit) => steps(session, unit, Direction::Forward, count(session, operand)?, row),
         Verb::Back => {
             let (word, rest) = operand.split_once(char::is_whitespace).unwrap_or((operand, ""));
             let unit = ROWS.iter().find_map(|row| match row.verb {
@@ -184,196 +184,196 @@ fn verb(stepper: &mut Stepper<'_>, found: &Row, operand: &str, row: &mut dyn FnM
                 _ => None,
             });
             match unit {
-                Some(unit) => steps(stepper, unit, Direction::Back, count(stepper, rest)?, row),
-                None => steps(stepper, Unit::Statement, Direction::Back, count(stepper, operand)?, row),
+                Some(unit) => steps(session, unit, Direction::Back, count(session, rest)?, row),
+                None => steps(session, Unit::Statement, Direction::Back, count(session, operand)?, row),
             }
         }
-        Verb::Run if operand.eq_ignore_ascii_case("back") => Answer::Moved(stepper.run(Direction::Back, STATEMENTS_MAX)),
-        Verb::Run if operand.is_empty() => Answer::Moved(stepper.run(Direction::Forward, STATEMENTS_MAX)),
-        Verb::Run => Answer::Moved(stepper.run(Direction::Forward, count(stepper, operand)?.min(STATEMENTS_MAX * 10))),
+        Verb::Run if operand.eq_ignore_ascii_case("back") => Answer::Moved(session.run(Direction::Back, STATEMENTS_MAX)),
+        Verb::Run if operand.is_empty() => Answer::Moved(session.run(Direction::Forward, STATEMENTS_MAX)),
+        Verb::Run => Answer::Moved(session.run(Direction::Forward, count(session, operand)?.min(STATEMENTS_MAX * 10))),
         Verb::To => {
-            let goal = stepper.goal(operand).map_err(no_place)?;
-            Answer::Moved(stepper.run_to(goal))
+            let goal = session.goal(operand).map_err(no_place)?;
+            Answer::Moved(session.run_to(goal))
         }
         Verb::Goto => {
-            let position = operand.parse().map_err(|_| wrong(stepper.say(texts::NO_POSITION, &[&operand])))?;
-            Answer::Moved(stepper.go_to(position))
+            let position = operand.parse().map_err(|_| wrong(session.say(texts::NO_POSITION, &[&operand])))?;
+            Answer::Moved(session.go_to(position))
         }
-        Verb::Break => set_breakpoint(stepper, operand)?,
+        Verb::Break => set_breakpoint(session, operand)?,
         Verb::Watch => {
-            let name = bound(stepper, operand, stepper.here())?;
-            let number = stepper.add(operand, Target::Change(name), None, 1).map_err(wrong)?;
-            Answer::Breakpoint(number, stepper.say(texts::PAUSES_WHEN_CHANGED, &[&operand]))
+            let name = bound(session, operand, session.here())?;
+            let number = session.add(operand, Target::Change(name), None, 1).map_err(wrong)?;
+            Answer::Breakpoint(number, session.say(texts::PAUSES_WHEN_CHANGED, &[&operand]))
         }
         Verb::Delete => {
-            let number = operand.parse().ok().filter(|&number| stepper.delete(number));
+            let number = operand.parse().ok().filter(|&number| session.delete(number));
             match number {
                 Some(_) => Answer::Breakpoints,
                 None => {
-                    let known: Vec<String> = stepper.breakpoints().iter().map(|one| one.number.to_string()).collect();
+                    let known: Vec<String> = session.breakpoints().iter().map(|one| one.number.to_string()).collect();
                     let known = match known.is_empty() {
-                        true => stepper.say(texts::THERE_ARE_NONE, &[]),
-                        false => stepper.say(texts::THERE_ARE, &[&known.join(", ")]),
+                        true => session.say(texts::THERE_ARE_NONE, &[]),
+                        false => session.say(texts::THERE_ARE, &[&known.join(", ")]),
                     };
-                    return Err(wrong(stepper.say(texts::NO_BREAKPOINT, &[&operand, &known])));
+                    return Err(wrong(session.say(texts::NO_BREAKPOINT, &[&operand, &known])));
                 }
             }
         }
         Verb::Breakpoints => Answer::Breakpoints,
-        Verb::Print => Answer::Values(values(stepper, operand)?),
-        Verb::Locals => Answer::Locals(stepper.locals()),
+        Verb::Print => Answer::Values(values(session, operand)?),
+        Verb::Locals => Answer::Locals(session.locals()),
         Verb::Show => {
-            let names = values(stepper, operand)?;
-            names.iter().try_for_each(|name| stepper.show(name.clone())).map_err(wrong)?;
+            let names = values(session, operand)?;
+            names.iter().try_for_each(|name| session.show(name.clone())).map_err(wrong)?;
             Answer::Values(names)
         }
         Verb::Who => {
-            let name = bound(stepper, operand, stepper.here())?;
-            let who = stepper.who(&name);
+            let name = bound(session, operand, session.here())?;
+            let who = session.who(&name);
             Answer::Who(name, who)
         }
         Verb::Set => {
             let (text, value) = command_names::split_assignment(operand)?;
-            let name = name(stepper, text, stepper.here())?;
-            let unfit = |error: sieben_sim::names::NameError| Failure::usage(Problem::P7004, format!("`{operand}`: {error}"));
+            let name = name(session, text, session.here())?;
+            let unfit = |error: sieben_sim::names::NameError| Refusal::new(Problem::P7004, format!("`{operand}`: {error}"));
             let setting = Setting::new(name, value).map_err(unfit)?;
-            stepper.set(setting.clone()).map_err(unfit)?;
+            session.set(setting.clone()).map_err(unfit)?;
             Answer::Set(setting)
         }
         Verb::Where => Answer::Moved(Halt::Reached),
-        Verb::Stack => Answer::Text(stack(stepper)),
-        Verb::List => Answer::Text(around(stepper)),
+        Verb::Stack => Answer::Text(stack(session)),
+        Verb::List => Answer::Text(around(session)),
         Verb::Diagnostics => Answer::Diagnostics,
-        Verb::Help => Answer::Text(help(stepper.language)),
+        Verb::Help => Answer::Text(help(session.language)),
         Verb::Quit => Answer::Quit,
     })
 }
 
-fn steps(stepper: &mut Stepper<'_>, unit: Unit, direction: Direction, times: u64, row: &mut dyn FnMut(&mut Stepper<'_>)) -> Answer {
+fn steps(session: &mut Session, unit: Unit, direction: Direction, times: u64, row: &mut dyn FnMut(&mut Session)) -> Answer {
     let rows = unit == Unit::Statement && direction == Direction::Forward && times <= ROWS_MAX;
     if !rows {
-        return Answer::Moved(stepper.step(unit, direction, times));
+        return Answer::Moved(session.step(unit, direction, times));
     }
     let mut halt = Halt::Reached;
     for index in 0..times {
-        halt = stepper.step(unit, direction, 1);
+        halt = session.step(unit, direction, 1);
         if halt != Halt::Reached {
             break;
         }
         if index + 1 < times {
-            row(stepper);
+            row(session);
         }
     }
     Answer::Moved(halt)
 }
 
-fn count(stepper: &Stepper<'_>, text: &str) -> Result<u64, Failure> {
+fn count(session: &Session, text: &str) -> Result<u64, Refusal> {
     if text.is_empty() {
         return Ok(1);
     }
     match text.parse() {
         Ok(count) if count > 0 => Ok(count),
-        _ => Err(wrong(stepper.say(texts::NO_COUNT, &[&text]))),
+        _ => Err(wrong(session.say(texts::NO_COUNT, &[&text]))),
     }
 }
 
 /// A name; a variable is one of this block.
-fn name(stepper: &Stepper<'_>, text: &str, block: Option<BlockId>) -> Result<Name, Failure> {
-    let variables = block.and_then(|block| stepper.cpu().program().code.get(&block));
+fn name(session: &Session, text: &str, block: Option<BlockId>) -> Result<Name, Refusal> {
+    let variables = block.and_then(|block| session.cpu().program().code.get(&block));
     let variables = variables.map_or(&[][..], |code| &code.interface.variables);
-    stepper.name_in(text, block).map_err(|error| {
-        let failure = Failure::usage(Problem::P7003, error.to_string());
+    session.name_in(text, block).map_err(|error| {
+        let refusal = Refusal::new(Problem::P7003, error.to_string());
         let plain = text.trim_matches(['"', '#']);
-        let known = stepper.build().project.symbols.symbols().iter().map(|symbol| symbol.name.clone());
+        let known = session.build().project.symbols.symbols().iter().map(|symbol| symbol.name.clone());
         let known: Vec<String> = known.chain(variables.iter().map(|variable| format!("#{}", variable.name))).collect();
         let near = nearest(text, known.iter().map(String::as_str)).or_else(|| nearest(plain, known.iter().map(String::as_str)));
         match near {
             Some(near) if !near.trim_start_matches('#').eq_ignore_ascii_case(plain) => {
-                failure.help(stepper.say(texts::DID_YOU_MEAN, &[&near]))
+                refusal.help(session.say(texts::DID_YOU_MEAN, &[&near]))
             }
-            _ => failure,
+            _ => refusal,
         }
     })
 }
 
 /// A name that means the same wherever the run goes.
-fn bound(stepper: &Stepper<'_>, text: &str, block: Option<BlockId>) -> Result<Name, Failure> {
-    let name = name(stepper, text, block)?;
-    stepper.bound(name).map_err(|error| Failure::usage(Problem::P7003, error.to_string()))
+fn bound(session: &Session, text: &str, block: Option<BlockId>) -> Result<Name, Refusal> {
+    let name = name(session, text, block)?;
+    session.bound(name).map_err(|error| Refusal::new(Problem::P7003, error.to_string()))
 }
 
-fn values(stepper: &Stepper<'_>, operand: &str) -> Result<Vec<Name>, Failure> {
-    command_names::split_list(operand).into_iter().map(|text| name(stepper, text, stepper.here())).collect()
+fn values(session: &Session, operand: &str) -> Result<Vec<Name>, Refusal> {
+    command_names::split_list(operand).into_iter().map(|text| name(session, text, session.here())).collect()
 }
 
 /// `FC1:4 if MW10 > 5 every 3`, `MW10 > 5`, `write MW10`.
-fn set_breakpoint(stepper: &mut Stepper<'_>, operand: &str) -> Result<Answer, Failure> {
+fn set_breakpoint(session: &mut Session, operand: &str) -> Result<Answer, Refusal> {
     let (rest, every) = match operand.rsplit_once(" every ") {
-        Some((rest, times)) => (rest.trim(), count(stepper, times.trim())?),
+        Some((rest, times)) => (rest.trim(), count(session, times.trim())?),
         None => (operand, 1),
     };
     let (what, condition) = match rest.split_once(" if ") {
         Some((what, condition)) => (what.trim(), Some(condition)),
         None => (rest, None),
     };
-    let here = stepper.here();
-    let only_if = |stepper: &Stepper<'_>, block| condition.map(|text| condition_of(stepper, text, block, false)).transpose();
+    let here = session.here();
+    let only_if = |session: &Session, block| condition.map(|text| condition_of(session, text, block, false)).transpose();
     if let Some((word, written)) = what.split_once(char::is_whitespace)
         && word.eq_ignore_ascii_case("write")
     {
-        let name = bound(stepper, written.trim(), here)?;
+        let name = bound(session, written.trim(), here)?;
         if name.is_register() {
-            return Err(wrong(stepper.say(texts::REGISTER_WRITTEN, &[&name.text()])));
+            return Err(wrong(session.say(texts::REGISTER_WRITTEN, &[&name.text()])));
         }
-        let only_if = only_if(stepper, here)?;
-        let text = stepper.say(texts::PAUSES_WHEN_WRITTEN, &[&name.text()]);
-        let number = stepper.add(operand, Target::Write(name), only_if, every).map_err(wrong)?;
+        let only_if = only_if(session, here)?;
+        let text = session.say(texts::PAUSES_WHEN_WRITTEN, &[&name.text()]);
+        let number = session.add(operand, Target::Write(name), only_if, every).map_err(wrong)?;
         return Ok(Answer::Breakpoint(number, text));
     }
     if what.contains(['<', '>', '=']) {
-        let target = Target::Condition(condition_of(stepper, what, here, true)?);
-        let only_if = only_if(stepper, here)?;
-        let number = stepper.add(operand, target, only_if, every).map_err(wrong)?;
-        return Ok(Answer::Breakpoint(number, stepper.say(texts::PAUSES_WHEN_TRUE, &[&what])));
+        let target = Target::Condition(condition_of(session, what, here, true)?);
+        let only_if = only_if(session, here)?;
+        let number = session.add(operand, target, only_if, every).map_err(wrong)?;
+        return Ok(Answer::Breakpoint(number, session.say(texts::PAUSES_WHEN_TRUE, &[&what])));
     }
-    let goal = stepper.goal(what).map_err(no_place)?;
+    let goal = session.goal(what).map_err(no_place)?;
     // At a place the variables are those of its block.
-    let only_if = only_if(stepper, Some(goal.place.block))?;
-    let number = stepper.add(operand, Target::Statement(goal.place, goal.last), only_if, every).map_err(wrong)?;
-    let line = stepper.listing().line(goal.place);
-    let moved = if goal.moved { pick(stepper.language, texts::MOVED) } else { "" };
-    let text = stepper.say(texts::PAUSES_BEFORE, &[&line.file, &line.line, &line.said(stepper.language)]);
+    let only_if = only_if(session, Some(goal.place.block))?;
+    let number = session.add(operand, Target::Statement(goal.place, goal.last), only_if, every).map_err(wrong)?;
+    let line = session.listing().line(goal.place);
+    let moved = if goal.moved { pick(session.language, texts::MOVED) } else { "" };
+    let text = session.say(texts::PAUSES_BEFORE, &[&line.file, &line.line, &line.said(session.language)]);
     Ok(Answer::Breakpoint(number, format!("{moved}{text}")))
 }
 
 /// A condition about variables of this block; `anywhere`: it is looked at in other blocks too.
-fn condition_of(stepper: &Stepper<'_>, text: &str, block: Option<BlockId>, anywhere: bool) -> Result<Condition, Failure> {
+fn condition_of(session: &Session, text: &str, block: Option<BlockId>, anywhere: bool) -> Result<Condition, Refusal> {
     let name = |text: &str| {
-        let name = stepper.name_in(text, block)?;
-        if anywhere { stepper.bound(name) } else { Ok(name) }
+        let name = session.name_in(text, block)?;
+        if anywhere { session.bound(name) } else { Ok(name) }
     };
-    Condition::parse(text, name).map_err(|error| Failure::usage(Problem::P7042, error.to_string()))
+    Condition::parse(text, name).map_err(|error| Refusal::new(Problem::P7042, error.to_string()))
 }
 
-fn stack(stepper: &Stepper<'_>) -> String {
-    let frames = &stepper.cpu().machine().frames;
+fn stack(session: &Session) -> String {
+    let frames = &session.cpu().machine().frames;
     if frames.is_empty() {
-        return stepper.say(texts::NO_BLOCK_RUNS, &[]) + "\n";
+        return session.say(texts::NO_BLOCK_RUNS, &[]) + "\n";
     }
     let called =
-        |block| controller::name_in_source(stepper.build(), block).map_or_else(|| stepper.listing().places.block(block), str::to_owned);
+        |block| controller::name_in_source(session.build(), block).map_or_else(|| session.listing().places().block(block), str::to_owned);
     frames.iter().map(|frame| format!("{}\n", called(frame.block))).collect()
 }
 
 /// Lines shown before and behind the next statement.
 const AROUND: usize = 5;
 
-fn around(stepper: &Stepper<'_>) -> String {
-    let history = stepper.history();
+fn around(session: &Session) -> String {
+    let history = session.history();
     let place = history.next_place().or(history.last().map(|event| event.place));
-    let Some(span) = place.and_then(|place| stepper.listing().span(place)) else { return stepper.say(texts::NOTHING_RAN, &[]) + "\n" };
-    let here = stepper.listing().places.line(span);
-    let text = &stepper.build().project.texts.program.file(span.file).text;
+    let Some(span) = place.and_then(|place| session.listing().span(place)) else { return session.say(texts::NOTHING_RAN, &[]) + "\n" };
+    let here = session.listing().places().line(span);
+    let text = &session.build().project.texts.program.file(span.file).text;
     let first = here.saturating_sub(AROUND).max(1);
     let lines = text.lines().enumerate().skip(first - 1).take(here + AROUND + 1 - first);
     lines
@@ -387,7 +387,7 @@ fn around(stepper: &Stepper<'_>) -> String {
 }
 
 /// All commands with what they do.
-pub(crate) fn help(language: Language) -> String {
+pub fn help(language: Language) -> String {
     let left = |row: &Row| format!("{} {}", row.names.join(", "), pick(language, row.operand));
     let width = ROWS.iter().map(|row| left(row).chars().count()).filter(|&width| width <= 24).max().unwrap_or(24);
     ROWS.iter()

@@ -1,57 +1,58 @@
 //! The statements of a program by block, file and line.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
+use crate::controller;
+use crate::nearest::nearest;
+use crate::places::{Index, Places};
+use crate::project::Build;
 use sieben_engine::FaultPlace;
 use sieben_lang::reason::Language;
 use sieben_model::block::BlockId;
 use sieben_model::source::{FileId, Span};
-use sieben_workspace::controller;
-use sieben_workspace::nearest::nearest;
-use sieben_workspace::places::Places;
-use sieben_workspace::project::Build;
 
 use super::texts::{self, END_OF_BLOCK, fill};
 
 /// A statement as people find it.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Line {
+pub struct Line {
     /// Block and statement, counted from 0.
-    pub(crate) place: FaultPlace,
+    pub place: FaultPlace,
     /// `FC 1`.
-    pub(crate) block: String,
+    pub block: String,
     /// Its network, from 1; `None` in ST, which has none.
-    pub(crate) network: Option<u32>,
+    pub network: Option<u32>,
     /// The file as the user named it.
-    pub(crate) file: String,
+    pub file: String,
     /// Its line, from 1.
-    pub(crate) line: usize,
+    pub line: usize,
     /// `A I 0.0`, with single blanks.
-    pub(crate) text: String,
+    pub text: String,
 }
 
 /// Where a breakpoint or a movement goes: statements of a block that are one for the CPU, as some have nothing to do.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Goal {
+pub struct Goal {
     /// The first of them.
-    pub(crate) place: FaultPlace,
+    pub place: FaultPlace,
     /// The last of them.
-    pub(crate) last: u32,
+    pub last: u32,
     /// The user named a line without a statement; this is the next one that has one.
-    pub(crate) moved: bool,
+    pub moved: bool,
 }
 
 /// All statements of a program.
-pub(crate) struct Listing<'b> {
-    build: &'b Build,
-    pub(crate) places: Places<'b>,
+pub struct Listing {
+    build: Arc<Build>,
+    index: Index,
     /// First statements of the lines of each file.
     lines: BTreeMap<FileId, BTreeMap<usize, FaultPlace>>,
 }
 
 impl Line {
     /// The statement as it is shown to people who read this language.
-    pub(crate) fn said(&self, language: Language) -> &str {
+    pub fn said(&self, language: Language) -> &str {
         match language {
             Language::German if self.text == END_OF_BLOCK[0] => END_OF_BLOCK[1],
             _ => &self.text,
@@ -59,54 +60,60 @@ impl Line {
     }
 }
 
-impl<'b> Listing<'b> {
+impl Listing {
     /// Looks through the program once.
-    pub(crate) fn new(build: &'b Build) -> Self {
-        let places = Places::new(build);
+    pub fn new(build: Arc<Build>) -> Self {
+        let index = Index::new(&build);
+        let places = Places::with(&build, &index);
         let mut lines: BTreeMap<FileId, BTreeMap<usize, FaultPlace>> = BTreeMap::new();
         for (&block, code) in &build.compiled.program.code {
             for (statement, &span) in (0_u32..).zip(&code.spans) {
                 let place = FaultPlace { block, statement };
-                if (span.file.0 as usize) < build.project.texts.program.iter().len() && is_written(build, place) {
+                if (span.file.0 as usize) < build.project.texts.program.iter().len() && is_written(&build, place) {
                     lines.entry(span.file).or_default().entry(places.line(span)).or_insert(place);
                 }
             }
         }
-        Self { build, places, lines }
+        Self { build, index, lines }
+    }
+
+    /// How its places are printed.
+    pub fn places(&self) -> Places<'_> {
+        Places::with(&self.build, &self.index)
     }
 
     /// A statement as people find it.
-    pub(crate) fn line(&self, place: FaultPlace) -> Line {
+    pub fn line(&self, place: FaultPlace) -> Line {
         let span = self.span(place).unwrap_or_default();
         let known = self.span(place).is_some();
         let stated = self.build.compiled.bodies.get(&place.block).and_then(|body| body.stated(place.statement));
-        let text = match (known && is_written(self.build, place), stated) {
+        let text = match (known && is_written(&self.build, place), stated) {
             (true, Some(stated)) => stated.to_owned(),
-            (true, None) => self.places.text(span),
+            (true, None) => self.places().text(span),
             (false, _) => END_OF_BLOCK[0].to_owned(),
         };
         Line {
             place,
             block: place.block.to_string(),
             network: self.network(place),
-            file: if known { self.places.file(span).to_owned() } else { String::new() },
-            line: if known { self.places.line(span) } else { 0 },
+            file: if known { self.places().file(span).to_owned() } else { String::new() },
+            line: if known { self.places().line(span) } else { 0 },
             text: text.trim_end_matches(';').trim_end().to_owned(),
         }
     }
 
     /// What people call a block: `FC 1`, or the name that it has in its source of ST.
-    pub(crate) fn called(&self, block: BlockId) -> String {
-        controller::name_in_source(self.build, block).map_or_else(|| block.to_string(), str::to_owned)
+    pub fn called(&self, block: BlockId) -> String {
+        controller::name_in_source(&self.build, block).map_or_else(|| block.to_string(), str::to_owned)
     }
 
     /// Its network, counted from 1.
-    pub(crate) fn network(&self, place: FaultPlace) -> Option<u32> {
+    pub fn network(&self, place: FaultPlace) -> Option<u32> {
         self.build.compiled.bodies.get(&place.block)?.network(place.statement)
     }
 
     /// Where the text of a statement stands.
-    pub(crate) fn span(&self, place: FaultPlace) -> Option<Span> {
+    pub fn span(&self, place: FaultPlace) -> Option<Span> {
         let span = *self.build.compiled.program.code.get(&place.block)?.spans.get(place.statement as usize)?;
         ((span.file.0 as usize) < self.build.project.texts.program.iter().len()).then_some(span)
     }
@@ -115,7 +122,7 @@ impl<'b> Listing<'b> {
     ///
     /// # Errors
     /// There is no such place; the sentence says what there is.
-    pub(crate) fn goal(&self, text: &str, here: Option<FaultPlace>, language: Language) -> Result<Goal, String> {
+    pub fn goal(&self, text: &str, here: Option<FaultPlace>, language: Language) -> Result<Goal, String> {
         let text = text.trim();
         let say = |text, values: &[&dyn std::fmt::Display]| fill(language, text, values);
         let (first, second) = text.rsplit_once(':').map_or((None, text), |(first, second)| (Some(first.trim()), second.trim()));
@@ -144,7 +151,7 @@ impl<'b> Listing<'b> {
     }
 
     /// A block by its number or its symbol, if it has code.
-    pub(crate) fn block(&self, text: &str) -> Option<BlockId> {
+    pub fn block(&self, text: &str) -> Option<BlockId> {
         let code = &self.build.compiled.program.code;
         let letters = text.trim_end_matches(|c: char| c.is_ascii_digit());
         let numbered = text[letters.len()..].parse().ok().and_then(|number| {
@@ -152,7 +159,7 @@ impl<'b> Listing<'b> {
             Some(BlockId::new(kind, number))
         });
         let name = text.trim_matches('"');
-        let named = || code.keys().copied().find(|&block| self.places.block_symbol(block).eq_ignore_ascii_case(name) && !name.is_empty());
+        let named = || code.keys().copied().find(|&block| self.places().block_symbol(block).eq_ignore_ascii_case(name) && !name.is_empty());
         numbered.filter(|block| code.contains_key(block)).or_else(named)
     }
 

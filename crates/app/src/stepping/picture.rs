@@ -11,14 +11,15 @@ use sieben_model::literal::Value;
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::source::FileId;
 use sieben_model::visible::visible;
-use sieben_sim::history::{Target, Until, Watch};
+use sieben_sim::history::{Target, Watch};
 use sieben_sim::names::Setting;
+use sieben_workspace::session::commands::{Answer, LINE_MAX, carry_out};
+use sieben_workspace::session::texts::pick;
+use sieben_workspace::session::{self, Language, Session, View, table};
 
 use super::keys::Command;
+use super::words::{halt, refused};
 use crate::diagrams::{self, Blocks, Diagrams, Form, Watch as Watching};
-use crate::stepping::commands::{Answer, LINE_MAX, carry_out};
-use crate::stepping::texts::{halt, pick};
-use crate::stepping::{Language, Stepper, View, table};
 
 /// Statements before the present one whose registers are shown beside the source.
 const TRAIL: u64 = 200;
@@ -136,7 +137,7 @@ impl Watch for Trail {
 }
 
 impl Screen {
-    pub(super) fn new(stepper: &mut Stepper<'_>, colour: bool) -> Self {
+    pub(super) fn new(session: &mut Session, colour: bool) -> Self {
         let greeting = ["s steps on, S back, h shows all keys", "s geht weiter, S zurück, h zeigt alle Tasten"];
         let mut screen = Self {
             colour,
@@ -144,17 +145,17 @@ impl Screen {
             variables: false,
             file: FileId(0),
             cursor: 0,
-            bytes: bytes(stepper),
+            bytes: bytes(session),
             chosen: (0, 0),
             switched: HashMap::new(),
             switched_in: 0,
             diagram: None,
             blocks: None,
-            message: pick(stepper.language, greeting).to_owned(),
+            message: pick(session.language, greeting).to_owned(),
             prompt: None,
             help: false,
         };
-        screen.follow(stepper);
+        screen.follow(session);
         screen
     }
 
@@ -164,28 +165,28 @@ impl Screen {
     }
 
     /// Carries a command out; `true` if it was to leave.
-    pub(super) fn act(&mut self, stepper: &mut Stepper<'_>, command: Command, rows: usize) -> bool {
+    pub(super) fn act(&mut self, session: &mut Session, command: Command, rows: usize) -> bool {
         self.message.clear();
         match command {
             Command::Quit => return true,
             Command::Step(unit, direction) => {
-                let ended = stepper.step(unit, direction, 1);
-                self.moved(stepper, halt(&ended, stepper.language));
+                let ended = session.step(unit, direction, 1);
+                self.moved(session, halt(&ended, session.language));
             }
             Command::Run(direction) => {
-                let ended = stepper.run(direction, crate::stepping::STATEMENTS_MAX);
-                self.moved(stepper, halt(&ended, stepper.language));
+                let ended = session.run(direction, session::STATEMENTS_MAX);
+                self.moved(session, halt(&ended, session.language));
             }
-            Command::ToCursor => match self.goal(stepper) {
+            Command::ToCursor => match self.goal(session) {
                 Ok(goal) => {
-                    let ended = stepper.run_to(goal);
-                    self.moved(stepper, halt(&ended, stepper.language));
+                    let ended = session.run_to(goal);
+                    self.moved(session, halt(&ended, session.language));
                 }
                 Err(message) => self.message = message,
             },
-            Command::Toggle if self.focus == Focus::Bits => self.switch(stepper),
+            Command::Toggle if self.focus == Focus::Bits => self.switch(session),
             Command::Toggle => {
-                if let Err(message) = self.goal(stepper).and_then(|goal| stepper.toggle(goal)) {
+                if let Err(message) = self.goal(session).and_then(|goal| session.toggle(goal)) {
                     self.message = message;
                 }
             }
@@ -204,7 +205,7 @@ impl Screen {
             }
             Command::Focus => self.focus = if self.focus == Focus::Source { Focus::Bits } else { Focus::Source },
             Command::Language => {
-                stepper.language = if stepper.language == Language::English { Language::German } else { Language::English };
+                session.language = if session.language == Language::English { Language::German } else { Language::English };
             }
             Command::Variables => {
                 self.variables = !self.variables;
@@ -235,92 +236,93 @@ impl Screen {
                 self.prompt = None;
                 self.help = false;
             }
-            Command::Enter => return self.enter(stepper),
+            Command::Enter => return self.enter(session),
         }
         false
     }
 
     /// The command line is carried out as a line of `--commands`.
-    fn enter(&mut self, stepper: &mut Stepper<'_>) -> bool {
+    fn enter(&mut self, session: &mut Session) -> bool {
         let Some(line) = self.prompt.take() else { return false };
-        let outcome = carry_out(stepper, &line, &mut |_| {});
+        let outcome = carry_out(session, &line, &mut |_| {});
         match outcome {
             Ok(Answer::Quit) => return true,
             // Where the run stands is what the screen shows anyway.
-            Ok(Answer::Moved(ended)) => self.moved(stepper, halt(&ended, stepper.language)),
+            Ok(Answer::Moved(ended)) => self.moved(session, halt(&ended, session.language)),
             Ok(answer) => {
-                let text = table::answer(stepper, &answer);
-                self.moved(stepper, text.trim());
+                let text = table::answer(session, &answer);
+                self.moved(session, text.trim());
             }
-            Err(failure) => {
-                let text = table::failure(&failure, false, stepper.language);
+            Err(refusal) => {
+                let text = refused(&refusal, false, session.language);
                 self.message = text.trim().to_owned();
             }
         }
         false
     }
 
-    fn moved(&mut self, stepper: &mut Stepper<'_>, message: &str) {
+    fn moved(&mut self, session: &mut Session, message: &str) {
         self.message = message.to_owned();
-        self.follow(stepper);
+        self.follow(session);
     }
 
     /// The cursor goes to the statement that comes next, or to the last one between two scans.
-    fn follow(&mut self, stepper: &Stepper<'_>) {
-        let history = stepper.history();
+    fn follow(&mut self, session: &Session) {
+        let history = session.history();
         let place = history.next_place().or(history.last().map(|event| event.place));
-        let first = || stepper.listing().goal("OB1", None, Language::English).ok().map(|goal| goal.place);
-        let Some(span) = place.or_else(first).and_then(|place| stepper.listing().span(place)) else { return };
+        let first = || session.listing().goal("OB1", None, Language::English).ok().map(|goal| goal.place);
+        let Some(span) = place.or_else(first).and_then(|place| session.listing().span(place)) else { return };
         self.file = span.file;
-        self.cursor = stepper.listing().places.line(span).saturating_sub(1);
+        self.cursor = session.listing().places().line(span).saturating_sub(1);
     }
 
-    fn goal(&self, stepper: &Stepper<'_>) -> Result<crate::stepping::Goal, String> {
-        let name = &stepper.build().project.texts.program.file(self.file).name;
-        stepper.goal(&format!("{name}:{}", self.cursor + 1))
+    fn goal(&self, session: &Session) -> Result<session::Goal, String> {
+        let name = &session.build().project.texts.program.file(self.file).name;
+        session.goal(&format!("{name}:{}", self.cursor + 1))
     }
 
     /// Switches the chosen bit.
-    fn switch(&mut self, stepper: &mut Stepper<'_>) {
+    fn switch(&mut self, session: &mut Session) {
         let Some(&(area, byte)) = self.bytes.get(self.chosen.0) else { return };
         let address = Address { area, width: Width::Bit, byte, bit: self.chosen.1 }.spell(Mnemonics::English);
-        let image = stepper.cpu().machine().memory.area(area).get(byte as usize).is_some_and(|byte| byte >> self.chosen.1 & 1 == 1);
-        let scan = stepper.history().scans();
+        let image = session.cpu().machine().memory.area(area).get(byte as usize).is_some_and(|byte| byte >> self.chosen.1 & 1 == 1);
+        let scan = session.history().scans();
         if self.switched_in != scan {
             self.switched.clear();
             self.switched_in = scan;
         }
         let wanted = !self.switched.get(&(byte, self.chosen.1)).copied().filter(|_| area == Area::Input).unwrap_or(image);
-        let setting = stepper.name_in(&address, None).and_then(|name| Setting::new(name, if wanted { "1" } else { "0" }));
-        if let Err(error) = setting.and_then(|setting| stepper.set(setting)) {
+        let setting = session.name_in(&address, None).and_then(|name| Setting::new(name, if wanted { "1" } else { "0" }));
+        if let Err(error) = setting.and_then(|setting| session.set(setting)) {
             self.message = error.to_string();
         } else if area == Area::Input {
             self.switched.insert((byte, self.chosen.1), wanted);
-            let address = self.spell(stepper, area, byte);
-            let becomes = pick(stepper.language, ["becomes", "wird"]);
-            let when = pick(stepper.language, ["with the next scan", "mit dem nächsten Zyklus"]);
+            let address = self.spell(session, area, byte);
+            let becomes = pick(session.language, ["becomes", "wird"]);
+            let when = pick(session.language, ["with the next scan", "mit dem nächsten Zyklus"]);
             self.message = format!("{address}.{} {becomes} {} {when}", self.chosen.1, u8::from(wanted));
         }
     }
 
     /// `I 0`.
-    fn spell(&self, stepper: &Stepper<'_>, area: Area, byte: u32) -> String {
-        format!("{} {byte}", area.prefix(stepper.listing().places.mnemonics))
+    fn spell(&self, session: &Session, area: Area, byte: u32) -> String {
+        format!("{} {byte}", area.prefix(session.listing().places().mnemonics))
     }
 
     /// The network where the run stands as a diagram, with what its statements did in this scan so far.
-    fn diagram(&mut self, stepper: &Stepper<'_>, view: &View, order: &[(FaultPlace, Registers)]) -> Option<(String, Vec<String>)> {
+    fn diagram(&mut self, session: &Session, view: &View, order: &[(FaultPlace, Registers)]) -> Option<(String, Vec<String>)> {
         let form = self.diagram?;
         let place = view.next.as_ref().or(view.executed.as_ref())?.place;
-        let blocks = self.blocks.get_or_insert_with(|| Rc::new(diagrams::blocks(stepper.build()))).clone();
+        let blocks = self.blocks.get_or_insert_with(|| Rc::new(diagrams::blocks(session.build()))).clone();
         let block = blocks.get(&place.block)?;
-        let number = stepper.listing().network(place)?;
+        let number = session.listing().network(place)?;
         let network = block.networks.iter().find(|network| network.number == number)?;
         let mut watch = Watching::new(place.block, network);
         order.iter().for_each(|(place, after)| watch.take(*place, after));
-        let build = stepper.build();
-        let status = watch.status(network, stepper.cpu(), &build.project.symbols);
-        let diagrams = Diagrams::of(build, &stepper.listing().places, blocks.clone());
+        let build = session.build();
+        let status = watch.status(network, session.cpu(), &build.project.symbols);
+        let places = session.listing().places();
+        let diagrams = Diagrams::of(build, &places, blocks.clone());
         let drawn = diagrams.shown_in(place.block, network, form, Some(&status), DIAGRAM_COLUMNS);
         let lines = match (drawn.text(Characters::Unicode), &drawn.reason) {
             (Some(text), _) => text.lines().map(shown).collect(),
@@ -330,16 +332,16 @@ impl Screen {
     }
 
     /// The picture of where the run stands.
-    pub(super) fn picture(&mut self, stepper: &mut Stepper<'_>) -> Picture {
-        let Trail { seen, order, .. } = trail(stepper);
-        let view = stepper.view();
-        let diagram = self.diagram(stepper, &view, &order);
-        let texts = &stepper.build().project.texts.program;
+    pub(super) fn picture(&mut self, session: &mut Session) -> Picture {
+        let Trail { seen, order, .. } = trail(session);
+        let view = session.view();
+        let diagram = self.diagram(session, &view, &order);
+        let texts = &session.build().project.texts.program;
         let file = texts.file(self.file);
         self.cursor = self.cursor.min(file.text.lines().count().saturating_sub(1));
         let in_file = |place: FaultPlace| {
-            let span = stepper.listing().span(place).filter(|span| span.file == self.file)?;
-            Some(stepper.listing().places.line(span))
+            let span = session.listing().span(place).filter(|span| span.file == self.file)?;
+            Some(session.listing().places().line(span))
         };
         let mut beside: BTreeMap<usize, (u32, (u64, u64, u32))> = BTreeMap::new();
         for (place, seen) in seen {
@@ -349,7 +351,7 @@ impl Screen {
                 beside.insert(line, (place.statement, seen));
             }
         }
-        let breaks: BTreeSet<usize> = stepper
+        let breaks: BTreeSet<usize> = session
             .breakpoints()
             .iter()
             .filter_map(|breakpoint| match breakpoint.target {
@@ -357,7 +359,7 @@ impl Screen {
                 _ => None,
             })
             .collect();
-        let line_of = |line: &Option<crate::stepping::Line>| line.as_ref().and_then(|line| in_file(line.place));
+        let line_of = |line: &Option<session::Line>| line.as_ref().and_then(|line| in_file(line.place));
         let (next, executed) = (line_of(&view.next), line_of(&view.executed));
         let lines = file.text.lines().enumerate().map(|(index, text)| {
             let number = index + 1;
@@ -372,33 +374,33 @@ impl Screen {
             }
         });
         let lines = lines.collect();
-        let memory = &stepper.cpu().machine().memory;
+        let memory = &session.cpu().machine().memory;
         let bytes = self.bytes.iter().enumerate().map(|(index, &(area, byte))| ByteLine {
-            name: self.spell(stepper, area, byte),
+            name: self.spell(session, area, byte),
             bits: memory.area(area).get(byte as usize).copied().unwrap_or_default(),
             chosen: (self.focus == Focus::Bits && index == self.chosen.0).then(|| {
-                let pending = area == Area::Input && self.switched_in == stepper.history().scans();
+                let pending = area == Area::Input && self.switched_in == session.history().scans();
                 (self.chosen.1, self.switched.get(&(byte, self.chosen.1)).copied().filter(|_| pending))
             }),
         });
         let bytes = bytes.collect();
-        let watched = stepper.watched().iter().map(|name| (shown(name.text()), shown(&stepper.value(name)))).collect();
+        let watched = session.watched().iter().map(|name| (shown(name.text()), shown(&session.value(name)))).collect();
         let variables = self.variables.then(|| {
             let (block, values) =
-                stepper.locals().map_or((String::new(), Vec::new()), |(block, values)| (stepper.listing().called(block), values));
-            let value = |one: crate::stepping::LocalValue| {
+                session.locals().map_or((String::new(), Vec::new()), |(block, values)| (session.listing().called(block), values));
+            let value = |one: session::LocalValue| {
                 (shown(one.name.text()), one.value.map_or_else(|| "-".to_owned(), |value| shown(&value.to_string())))
             };
             (block, values.into_iter().map(value).collect())
         });
         let hits = view.hits.join("; ");
         Picture {
-            language: stepper.language,
+            language: session.language,
             colour: self.colour,
             focus: self.focus,
-            stack: shown(&view.stack.iter().map(|&block| stepper.listing().called(block)).collect::<Vec<_>>().join(" › ")),
-            registers: stepper.registers(),
-            four_accumulators: stepper.build().cpu.accumulators == 4,
+            stack: shown(&view.stack.iter().map(|&block| session.listing().called(block)).collect::<Vec<_>>().join(" › ")),
+            registers: session.registers(),
+            four_accumulators: session.build().cpu.accumulators == 4,
             file: shown(file.name.rsplit(['/', '\\']).next().unwrap_or(&file.name)),
             lines,
             cursor: self.cursor,
@@ -406,8 +408,8 @@ impl Screen {
             watched,
             variables,
             diagram,
-            statement: view.executed.as_ref().map_or_else(String::new, |line| shown(line.said(stepper.language))),
-            reason: shown(&stepper.reason()),
+            statement: view.executed.as_ref().map_or_else(String::new, |line| shown(line.said(session.language))),
+            reason: shown(&session.reason()),
             message: shown(if self.message.is_empty() { &hits } else { &self.message }),
             prompt: self.prompt.clone(),
             help: self.help,
@@ -422,23 +424,16 @@ fn shown(text: &str) -> String {
 }
 
 /// The registers behind the statements that led here.
-fn trail(stepper: &mut Stepper<'_>) -> Trail {
-    let history = &mut stepper.history;
-    let here = history.position();
-    let from = here.statements.saturating_sub(TRAIL).max(history.first());
+fn trail(session: &mut Session) -> Trail {
     let mut trail = Trail::default();
-    if from < here.statements {
-        history.go_to(from);
-        history.run(Until { statements: here.statements - from, scans: u64::MAX }, &mut trail);
-        history.go_to_position(here);
-    }
+    session.watch_last(TRAIL, &mut trail);
     trail
 }
 
 /// Bytes of inputs, outputs and bit memory of which the program or its symbols name a bit.
-fn bytes(stepper: &Stepper<'_>) -> Vec<(Area, u32)> {
+fn bytes(session: &Session) -> Vec<(Area, u32)> {
     let mut bytes = BTreeSet::new();
-    let build = stepper.build();
+    let build = session.build();
     let shown = |area: &Area| matches!(area, Area::Input | Area::Output | Area::BitMemory);
     let named = build.compiled.bodies.values().flat_map(|body| body.named_bits());
     bytes.extend(named.filter(|(area, _)| shown(area)).map(|(area, position)| (area, position / 8)));

@@ -8,7 +8,7 @@ use sieben_sim::history::Watch;
 
 /// How far a step goes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Unit {
+pub enum Unit {
     /// To the next statement, into a block that is called.
     Statement,
     /// To the next statement, over a block that is called.
@@ -25,7 +25,7 @@ pub(crate) enum Unit {
 
 /// Whether a step goes on or back.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Direction {
+pub enum Direction {
     /// On.
     Forward,
     /// Back.
@@ -33,10 +33,10 @@ pub(crate) enum Direction {
 }
 
 /// Networks of statements, by block.
-pub(crate) type Networks = HashMap<BlockId, Vec<u32>>;
+pub(super) type Networks = HashMap<BlockId, Vec<u32>>;
 
 /// Pauses where a step ends.
-pub(crate) struct StepEnd<'n> {
+pub(super) struct StepEnd<'n> {
     unit: Unit,
     direction: Direction,
     /// Nested blocks where the step began.
@@ -48,7 +48,7 @@ pub(crate) struct StepEnd<'n> {
 
 impl<'n> StepEnd<'n> {
     /// The end of a step that begins after this statement, or before the statement `next`, so many blocks deep.
-    pub(crate) fn new(unit: Unit, direction: Direction, depth: usize, next: Option<FaultPlace>, networks: &'n Networks) -> Self {
+    pub(super) fn new(unit: Unit, direction: Direction, depth: usize, next: Option<FaultPlace>, networks: &'n Networks) -> Self {
         let mut end = Self { unit, direction, depth, networks, last: None };
         end.last = next.map(|place| end.key(place));
         end

@@ -11,18 +11,18 @@ const CHANGES_MAX: usize = 32;
 
 /// Something that has changed.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Change {
+pub struct Change {
     /// What.
-    pub(crate) name: String,
+    pub name: String,
     /// Its value before.
-    pub(crate) before: String,
+    pub before: String,
     /// Its value now.
-    pub(crate) after: String,
+    pub after: String,
 }
 
 /// What differs between two machines; `written` is the operand of the statement, if it has one that means a single value.
 /// Hidden local data, which the compiler needs for calls, are left out: nobody has given them a name.
-pub(crate) fn of_memory(before: &Machine, after: &Machine, written: Option<&Name>, program: &Program, mnemonics: Mnemonics) -> Vec<Change> {
+pub(super) fn of_memory(before: &Machine, after: &Machine, written: Option<&Name>, program: &Program, mnemonics: Mnemonics) -> Vec<Change> {
     let mut changes = Vec::new();
     let mut covered = 0..0;
     // Where a variable of a block lies is known before the statement: it may call or end the block.
@@ -125,7 +125,7 @@ fn bytes(machine: &Machine, at: usize, count: usize, old: &[u8], new: &[u8], mne
 }
 
 /// Registers as people call them, in the order of the columns, with their values.
-pub(crate) fn registers(registers: &Registers, accumulators: u8) -> Vec<(&'static str, String)> {
+pub(super) fn registers(registers: &Registers, accumulators: u8) -> Vec<(&'static str, String)> {
     let bit = |value: u64| (value & 1).to_string();
     let hex = |value: u64| format!("16#{:08X}", value as u32);
     let number = |value: u64| if value == 0 { "-".to_owned() } else { value.to_string() };
@@ -160,7 +160,7 @@ fn pointer(value: u64) -> String {
 }
 
 /// Registers that differ.
-pub(crate) fn of_registers(before: &Registers, after: &Registers, accumulators: u8) -> Vec<Change> {
+pub(super) fn of_registers(before: &Registers, after: &Registers, accumulators: u8) -> Vec<Change> {
     let both = registers(before, accumulators).into_iter().zip(registers(after, accumulators));
     both.filter(|((_, before), (_, after))| before != after)
         .map(|((name, before), (_, after))| Change { name: name.to_owned(), before, after })

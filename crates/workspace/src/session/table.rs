@@ -1,30 +1,30 @@
 //! The run as text and as JSON: a row for a statement, with its registers, what it changed and why.
 
+use crate::controller;
+use crate::failed::{self, Failed};
+use crate::names;
 use serde_json::{Map, Value, json};
 use sieben_cpu::OperatingMode;
 use sieben_model::block::BlockId;
 use sieben_model::interface::Section;
 use sieben_sim::history::{Breakpoint, By, Halt};
 use sieben_sim::names::{Name, Setting};
-use sieben_workspace::controller;
-use sieben_workspace::failed::{self, Failed};
-use sieben_workspace::names;
 
 use super::commands::Answer;
-use super::{Change, Language, Line, LocalValue, Stepper, View, Who, texts};
-use crate::failure::{self, Failure};
+use super::{Change, Language, Line, LocalValue, Session, View, Who, texts};
+use crate::refusal::Refusal;
 
 /// The head of the columns.
-pub(crate) fn head(language: Language) -> &'static str {
+pub fn head(language: Language) -> &'static str {
     texts::pick(language, texts::HEAD)
 }
 
 /// The row of the last statement: place, registers, text; below it what it changed and why.
-pub(crate) fn row(stepper: &mut Stepper<'_>) -> String {
-    let language = stepper.language;
-    let view = stepper.view();
+pub fn row(session: &mut Session) -> String {
+    let language = session.language;
+    let view = session.view();
     let mut text = match &view.executed {
-        None => format!("{:>9}  {:>4}  {}\n", 0, number(view.scan), stepper.say(texts::RUN_BEGINS, &[])),
+        None => format!("{:>9}  {:>4}  {}\n", 0, number(view.scan), session.say(texts::RUN_BEGINS, &[])),
         Some(line) => {
             let value = |name: &str| view.registers.iter().find(|(found, _)| *found == name).map_or("", |(_, value)| value.as_str());
             let bits: Vec<String> = ["RLO", "STA", "/FC"].iter().map(|name| format!("{:>3}", value(name))).collect();
@@ -45,7 +45,7 @@ pub(crate) fn row(stepper: &mut Stepper<'_>) -> String {
             )
         }
     };
-    let reason = stepper.reason();
+    let reason = session.reason();
     if !reason.is_empty() {
         text.push_str(&format!("                 {reason}\n"));
     }
@@ -72,68 +72,68 @@ fn number(scan: Option<u64>) -> String {
 }
 
 /// In which scan.
-fn when(stepper: &Stepper<'_>, scan: Option<u64>) -> String {
-    scan.map_or_else(|| stepper.say(texts::WHILE_STARTING, &[]), |scan| stepper.say(texts::IN_SCAN, &[&scan]))
+fn when(session: &Session, scan: Option<u64>) -> String {
+    scan.map_or_else(|| session.say(texts::WHILE_STARTING, &[]), |scan| session.say(texts::IN_SCAN, &[&scan]))
 }
 
 /// What an answer prints.
-pub(crate) fn answer(stepper: &mut Stepper<'_>, answer: &Answer) -> String {
+pub fn answer(session: &mut Session, answer: &Answer) -> String {
     match answer {
         Answer::Moved(halt) => {
-            let mut text = row(stepper);
-            let view = stepper.view();
+            let mut text = row(session);
+            let view = session.view();
             for hit in &view.hits {
                 text.push_str(&format!("  {hit}\n"));
             }
             let halt = if view.mode == OperatingMode::Stop && view.position > 0 { Halt::Stopped } else { *halt };
-            if let Some(words) = halt_text(stepper, halt, &view) {
+            if let Some(words) = halt_text(session, halt, &view) {
                 text.push_str(&format!("  {words}\n"));
             }
             let next = match &view.next {
-                Some(next) => Some(stepper.say(texts::NEXT, &[&next.file, &next.line, &next.said(stepper.language)])),
-                None if view.mode == OperatingMode::Run => Some(stepper.say(texts::NEXT_SCAN, &[&stepper.history().scans()])),
+                Some(next) => Some(session.say(texts::NEXT, &[&next.file, &next.line, &next.said(session.language)])),
+                None if view.mode == OperatingMode::Run => Some(session.say(texts::NEXT_SCAN, &[&session.history().scans()])),
                 None => None,
             };
             text.push_str(&next.map_or_else(String::new, |next| format!("  {next}\n")));
-            for name in stepper.watched() {
-                text.push_str(&format!("  {} = {}\n", name.text(), stepper.value(name)));
+            for name in session.watched() {
+                text.push_str(&format!("  {} = {}\n", name.text(), session.value(name)));
             }
             text
         }
         Answer::Text(text) => text.clone(),
         Answer::Diagnostics => {
-            let failed = match Failed::of(stepper.build(), stepper.cpu()) {
-                Some(failed) => stepper.say(texts::FAILED_TIMES, &[&failed.count, &failed.first_line()]),
-                None => stepper.say(texts::NONE_FAILED, &[]),
+            let failed = match Failed::of(session.build(), session.cpu()) {
+                Some(failed) => session.say(texts::FAILED_TIMES, &[&failed.count, &failed.first_line()]),
+                None => session.say(texts::NONE_FAILED, &[]),
             };
-            let entries = stepper.cpu().diagnostic_buffer().entries();
-            let lines: String = entries.map(|entry| format!("    {}\n", failed::entry_text(stepper.build(), entry))).collect();
-            format!("  {failed}\n  {}\n{lines}", stepper.say(texts::DIAGNOSTIC_BUFFER, &[]))
+            let entries = session.cpu().diagnostic_buffer().entries();
+            let lines: String = entries.map(|entry| format!("    {}\n", failed::entry_text(session.build(), entry))).collect();
+            format!("  {failed}\n  {}\n{lines}", session.say(texts::DIAGNOSTIC_BUFFER, &[]))
         }
-        Answer::Values(names) => names.iter().map(|name| format!("  {} = {}\n", name.text(), stepper.value(name))).collect(),
-        Answer::Locals(locals) => locals_text(stepper, locals.as_ref()),
+        Answer::Values(names) => names.iter().map(|name| format!("  {} = {}\n", name.text(), session.value(name))).collect(),
+        Answer::Locals(locals) => locals_text(session, locals.as_ref()),
         Answer::Set(Setting { name, text, .. }) => {
-            let taken = name.holds(stepper.cpu(), text).unwrap_or(true);
-            let later = if taken { "" } else { texts::pick(stepper.language, texts::SEEN_LATER) };
-            format!("  {}{later}\n", stepper.say(texts::IS_SET, &[&name.text(), text]))
+            let taken = name.holds(session.cpu(), text).unwrap_or(true);
+            let later = if taken { "" } else { texts::pick(session.language, texts::SEEN_LATER) };
+            format!("  {}{later}\n", session.say(texts::IS_SET, &[&name.text(), text]))
         }
-        Answer::Who(name, who) => format!("  {}\n", who_text(stepper, name, who.as_ref())),
-        Answer::Breakpoint(number, text) => format!("  {}\n", stepper.say(texts::BREAKPOINT, &[number, text])),
-        Answer::Breakpoints if stepper.breakpoints().is_empty() => format!("  {}\n", stepper.say(texts::NO_BREAKPOINTS, &[])),
+        Answer::Who(name, who) => format!("  {}\n", who_text(session, name, who.as_ref())),
+        Answer::Breakpoint(number, text) => format!("  {}\n", session.say(texts::BREAKPOINT, &[number, text])),
+        Answer::Breakpoints if session.breakpoints().is_empty() => format!("  {}\n", session.say(texts::NO_BREAKPOINTS, &[])),
         Answer::Breakpoints => {
-            let line = |one: &Breakpoint| format!("  {}\n", stepper.say(texts::BREAKPOINT_SEEN, &[&one.number, &one.text, &one.times]));
-            stepper.breakpoints().iter().map(line).collect()
+            let line = |one: &Breakpoint| format!("  {}\n", session.say(texts::BREAKPOINT_SEEN, &[&one.number, &one.text, &one.times]));
+            session.breakpoints().iter().map(line).collect()
         }
         Answer::Nothing | Answer::Quit => String::new(),
     }
 }
 
 /// The variables of a block, in columns.
-fn locals_text(stepper: &Stepper<'_>, locals: Option<&(BlockId, Vec<LocalValue>)>) -> String {
-    let Some((block, values)) = locals else { return format!("  {}\n", stepper.say(texts::NO_BLOCK_RUNS, &[])) };
-    let block = &stepper.listing().called(*block);
+fn locals_text(session: &Session, locals: Option<&(BlockId, Vec<LocalValue>)>) -> String {
+    let Some((block, values)) = locals else { return format!("  {}\n", session.say(texts::NO_BLOCK_RUNS, &[])) };
+    let block = &session.listing().called(*block);
     if values.is_empty() {
-        return format!("  {}\n", stepper.say(texts::NO_VARIABLES, &[block]));
+        return format!("  {}\n", session.say(texts::NO_VARIABLES, &[block]));
     }
     let width = |width: &dyn Fn(&LocalValue) -> usize| values.iter().map(width).max().unwrap_or_default();
     let names = width(&|one| one.name.text().chars().count());
@@ -142,11 +142,11 @@ fn locals_text(stepper: &Stepper<'_>, locals: Option<&(BlockId, Vec<LocalValue>)
         let value = one.value.as_ref().map_or_else(|| "-".to_owned(), ToString::to_string);
         format!("    {:<7} {:names$}  {:types$}  {value}\n", section(one.section), one.name.text(), one.data_type.to_string())
     };
-    format!("  {}\n", stepper.say(texts::VARIABLES_OF, &[block])) + &values.iter().map(line).collect::<String>()
+    format!("  {}\n", session.say(texts::VARIABLES_OF, &[block])) + &values.iter().map(line).collect::<String>()
 }
 
 /// The short word for a part of a declaration.
-pub(crate) fn section(section: Section) -> &'static str {
+pub fn section(section: Section) -> &'static str {
     match section {
         Section::Input => "IN",
         Section::Output => "OUT",
@@ -158,56 +158,46 @@ pub(crate) fn section(section: Section) -> &'static str {
 }
 
 /// Why a movement ended, if it is worth a word.
-fn halt_text(stepper: &Stepper<'_>, halt: Halt, view: &View) -> Option<String> {
+fn halt_text(session: &Session, halt: Halt, view: &View) -> Option<String> {
     Some(match halt {
         Halt::Reached | Halt::Watch => return None,
-        Halt::ScanEnd => stepper.say(texts::END_OF_SCAN, &[&number(view.scan)]),
-        Halt::Limit => stepper.say(texts::NOT_YET, &[]),
-        Halt::Stopped => stepper.cpu().stop_cause().map_or_else(
-            || stepper.say(texts::STOPPED, &[]),
-            |cause| controller::stop_text(stepper.build(), cause).trim_end().replace('\n', "\n  "),
+        Halt::ScanEnd => session.say(texts::END_OF_SCAN, &[&number(view.scan)]),
+        Halt::Limit => session.say(texts::NOT_YET, &[]),
+        Halt::Stopped => session.cpu().stop_cause().map_or_else(
+            || session.say(texts::STOPPED, &[]),
+            |cause| controller::stop_text(session.build(), cause).trim_end().replace('\n', "\n  "),
         ),
-        Halt::NoMoreScans => stepper.say(texts::ALL_SCANS, &[&stepper.history().scans()]),
-        Halt::Beginning => stepper.say(texts::BEGINNING, &[]),
-        Halt::Forgotten => stepper.say(texts::FORGOTTEN, &[&stepper.history().first()]),
+        Halt::NoMoreScans => session.say(texts::ALL_SCANS, &[&session.history().scans()]),
+        Halt::Beginning => session.say(texts::BEGINNING, &[]),
+        Halt::Forgotten => session.say(texts::FORGOTTEN, &[&session.history().first()]),
     })
 }
 
-fn who_text(stepper: &mut Stepper<'_>, name: &Name, who: Option<&Who>) -> String {
+fn who_text(session: &mut Session, name: &Name, who: Option<&Who>) -> String {
     let Some(who) = who else {
-        let since = match stepper.history().first() {
-            0 => stepper.say(texts::SINCE_BEGINNING, &[]),
-            first => stepper.say(texts::SINCE_KEPT, &[&first]),
+        let since = match session.history().first() {
+            0 => session.say(texts::SINCE_BEGINNING, &[]),
+            first => session.say(texts::SINCE_KEPT, &[&first]),
         };
-        let written = stepper.writer(name).map_or_else(String::new, |by| {
+        let written = session.writer(name).map_or_else(String::new, |by| {
             let Line { file, line, text, .. } = &by.line;
-            let block = stepper.listing().called(by.line.place.block);
-            let when = when(stepper, by.scan);
-            format!("\n  {}", stepper.say(texts::WROTE_LAST, &[file, line, text, &block, &by.position, &when, &by.reason]))
+            let block = session.listing().called(by.line.place.block);
+            let when = when(session, by.scan);
+            format!("\n  {}", session.say(texts::WROTE_LAST, &[file, line, text, &block, &by.position, &when, &by.reason]))
         });
-        return stepper.say(texts::NOTHING_CHANGED, &[&name.text(), &since]) + &written;
+        return session.say(texts::NOTHING_CHANGED, &[&name.text(), &since]) + &written;
     };
     let (before, after) = &who.change;
     let what = match (&who.line, who.by) {
         (Some(line), _) => {
-            let block = stepper.listing().called(line.place.block);
-            format!("{}:{}: {} ({block})", line.file, line.line, line.said(stepper.language))
+            let block = session.listing().called(line.place.block);
+            format!("{}:{}: {} ({block})", line.file, line.line, line.said(session.language))
         }
-        (None, By::ProcessImage) => stepper.say(texts::BY_IMAGE, &[]),
-        (None, By::Set) => stepper.say(texts::BY_SET, &[]),
-        (None, _) => stepper.say(texts::BY_CPU, &[]),
+        (None, By::ProcessImage) => session.say(texts::BY_IMAGE, &[]),
+        (None, By::Set) => session.say(texts::BY_SET, &[]),
+        (None, _) => session.say(texts::BY_CPU, &[]),
     };
-    stepper.say(texts::CHANGED_BY, &[&name.text(), before, after, &who.position, &when(stepper, who.scan), &what])
-}
-
-/// A command that could not be carried out, as people read it.
-pub(crate) fn failure(failure: &Failure, colour: bool, language: Language) -> String {
-    let german = texts::HELP_GERMAN.iter().find(|(code, _)| *code == failure.refusal.problem.code());
-    let help = match language {
-        Language::German => german.map_or(failure.refusal.problem.help(), |(_, help)| help),
-        Language::English => failure.refusal.problem.help(),
-    };
-    failure::render(&failure.refusal, colour, texts::pick(language, texts::ERROR), texts::pick(language, texts::HELP_WORD), help)
+    session.say(texts::CHANGED_BY, &[&name.text(), before, after, &who.position, &when(session, who.scan), &what])
 }
 
 fn line_json(line: &Line) -> Value {
@@ -234,10 +224,10 @@ fn halt_word(halt: Halt) -> &'static str {
 }
 
 /// What an answer is for programs: where the run stands, and what the command asked for.
-pub(crate) fn answer_json(stepper: &mut Stepper<'_>, command: &str, answer: &Answer) -> Value {
-    let view = stepper.view();
+pub fn answer_json(session: &mut Session, command: &str, answer: &Answer) -> Value {
+    let view = session.view();
     let registers: Map<String, Value> = view.registers.iter().map(|(name, value)| ((*name).to_owned(), json!(value))).collect();
-    let stop = stepper.cpu().stop_cause().filter(|_| view.mode == OperatingMode::Stop).map(controller::stop_json);
+    let stop = session.cpu().stop_cause().filter(|_| view.mode == OperatingMode::Stop).map(controller::stop_json);
     let mut object = json!({
         "command": command,
         "position": view.position,
@@ -249,20 +239,20 @@ pub(crate) fn answer_json(stepper: &mut Stepper<'_>, command: &str, answer: &Ans
         "next": view.next.as_ref().map(line_json),
         "registers": registers,
         "changed": view.changed.iter().map(change_json).collect::<Vec<_>>(),
-        "reason": stepper.reason(),
+        "reason": session.reason(),
         "stack": view.stack.iter().map(ToString::to_string).collect::<Vec<_>>(),
         "mode": view.mode.to_string(),
         "stop": stop,
     });
-    let shown = |names: &[Name], stepper: &Stepper<'_>| -> Map<String, Value> {
-        names.iter().map(|name| (name.text().to_owned(), names::to_json(name, stepper.cpu()))).collect()
+    let shown = |names: &[Name], session: &Session| -> Map<String, Value> {
+        names.iter().map(|name| (name.text().to_owned(), names::to_json(name, session.cpu()))).collect()
     };
     match answer {
         Answer::Moved(halt) => {
             object["halt"] = json!(halt_word(*halt));
             object["hits"] = json!(view.hits);
-            if !stepper.watched().is_empty() {
-                object["values"] = Value::Object(shown(stepper.watched(), stepper));
+            if !session.watched().is_empty() {
+                object["values"] = Value::Object(shown(session.watched(), session));
             }
         }
         Answer::Locals(locals) => {
@@ -274,7 +264,7 @@ pub(crate) fn answer_json(stepper: &mut Stepper<'_>, command: &str, answer: &Ans
                 json!({ "block": block.to_string(), "variables": values.iter().map(value).collect::<Vec<_>>() })
             });
         }
-        Answer::Values(names) => object["values"] = Value::Object(shown(names, stepper)),
+        Answer::Values(names) => object["values"] = Value::Object(shown(names, session)),
         Answer::Set(set) => object["set"] = json!({ "name": set.name.text(), "value": set.text }),
         Answer::Who(name, who) => {
             object["who"] = who.as_ref().map_or(Value::Null, |who| {
@@ -282,18 +272,18 @@ pub(crate) fn answer_json(stepper: &mut Stepper<'_>, command: &str, answer: &Ans
                         "place": who.line.as_ref().map(line_json) })
             });
             if who.is_none() {
-                object["written"] = stepper.writer(name).map_or(Value::Null, |by| {
+                object["written"] = session.writer(name).map_or(Value::Null, |by| {
                     json!({ "name": name.text(), "position": by.position, "scan": by.scan, "place": line_json(&by.line), "reason": by.reason })
                 });
             }
         }
         Answer::Breakpoint(number, text) => object["breakpoint"] = json!({ "number": number, "text": text }),
         Answer::Breakpoints => {
-            let all = stepper.breakpoints().iter().map(|one| json!({ "number": one.number, "text": one.text, "times": one.times }));
+            let all = session.breakpoints().iter().map(|one| json!({ "number": one.number, "text": one.text, "times": one.times }));
             object["breakpoints"] = Value::Array(all.collect());
         }
         Answer::Diagnostics => {
-            let (build, cpu) = (stepper.build(), stepper.cpu());
+            let (build, cpu) = (session.build(), session.cpu());
             object["diagnostic_buffer"] = failed::buffer_json(build, cpu);
             object["failed_statements"] = Failed::of(build, cpu).map(|failed| failed.json()).into();
         }
@@ -304,7 +294,6 @@ pub(crate) fn answer_json(stepper: &mut Stepper<'_>, command: &str, answer: &Ans
 }
 
 /// A command that could not be carried out.
-pub(crate) fn failure_json(command: &str, failure: &Failure) -> Value {
-    let refusal = &failure.refusal;
+pub fn refusal_json(command: &str, refusal: &Refusal) -> Value {
     json!({ "command": command, "error": { "code": refusal.problem.code(), "message": refusal.message, "help": refusal.shown_help() } })
 }

@@ -1,8 +1,7 @@
 //! What the keys of the microscope mean.
 
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
-
-use crate::stepping::{Direction, Unit};
+use sieben_workspace::session::{Direction, Unit};
 
 /// What a key means.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
