@@ -2,13 +2,14 @@
 
 use std::sync::Arc;
 
-use crate::project::Build;
-use crate::settings::modules;
 use serde_json::{Value, json};
 use sieben_cpu::{Cpu, CyclicInterrupt, Loaded, Rack, Settings, StopCause};
 use sieben_engine::{Engine, FaultPlace, Layout, Program};
 use sieben_model::block::BlockId;
 use sieben_model::source::Span;
+
+use crate::project::Build;
+use crate::settings::modules;
 
 /// How the project sets up its CPU; what is not said is as usual.
 pub fn settings(build: &Build) -> Settings {

@@ -1,11 +1,11 @@
 //! What the user learns of statements that failed while the program went on, and of the diagnostic buffer.
 
-use crate::project::Build;
 use serde_json::{Value, json};
 use sieben_cpu::{Cpu, DiagnosticEntry, FailedStatements};
 use sieben_sim::trace::moment;
 
 use crate::controller;
+use crate::project::Build;
 
 /// Statements that failed in a run: how often, and the first one.
 #[derive(Clone, Debug)]

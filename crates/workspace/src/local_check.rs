@@ -2,12 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use crate::project::Build;
 use sieben_engine::{FaultPlace, LocalAccess, Machine, StatementEvent, Tracer};
 use sieben_model::block::BlockId;
 use sieben_model::diagnostic::Diagnostic;
 use sieben_model::interface::Section;
 use sieben_model::problems::Problem;
+
+use crate::project::Build;
 
 /// What is known of the local data while a program runs.
 #[derive(Debug, Default)]

@@ -3,12 +3,13 @@
 use std::borrow::Cow;
 use std::collections::HashMap;
 
-use crate::project::Build;
 use sieben_ide::cross_reference::Reference;
 use sieben_ide::target::{Memory, Target};
 use sieben_model::block::BlockId;
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::source::{FileId, Span};
+
+use crate::project::Build;
 
 /// What is looked up to print the places of a program, found once.
 #[derive(Clone, Debug)]

@@ -1,15 +1,16 @@
 //! The commands of `sieben step`, one line each.
 
-use crate::controller;
-use crate::names as command_names;
-use crate::nearest::{nearest, one_of};
 use sieben_model::block::BlockId;
 use sieben_model::problems::Problem;
 use sieben_sim::history::{Condition, Halt, Target};
 use sieben_sim::names::{Name, Setting};
 
+use super::change::{Request, Wanted};
 use super::texts::{self, Text, pick};
 use super::{Direction, Language, LocalValue, STATEMENTS_MAX, Session, Unit, Who};
+use crate::controller;
+use crate::names as command_names;
+use crate::nearest::{nearest, one_of};
 use crate::refusal::Refusal;
 
 /// Longest line that is read as a command.
@@ -202,7 +203,8 @@ fn verb(session: &mut Session, found: &Row, operand: &str, row: &mut dyn FnMut(&
         Verb::Break => set_breakpoint(session, operand)?,
         Verb::Watch => {
             let name = bound(session, operand, session.here())?;
-            let number = session.add(operand, Target::Change(name), None, 1).map_err(wrong)?;
+            let request = Request { wanted: Wanted::Change(operand.to_owned()), only_if: None, block: session.here() };
+            let number = session.add(operand, Target::Change(name), None, 1, request).map_err(wrong)?;
             Answer::Breakpoint(number, session.say(texts::PAUSES_WHEN_CHANGED, &[&operand]))
         }
         Verb::Delete => {
@@ -317,6 +319,7 @@ fn set_breakpoint(session: &mut Session, operand: &str) -> Result<Answer, Refusa
         None => (rest, None),
     };
     let here = session.here();
+    let request = |wanted, block| Request { wanted, only_if: condition.map(str::to_owned), block };
     let only_if = |session: &Session, block| condition.map(|text| condition_of(session, text, block, false)).transpose();
     if let Some((word, written)) = what.split_once(char::is_whitespace)
         && word.eq_ignore_ascii_case("write")
@@ -327,20 +330,25 @@ fn set_breakpoint(session: &mut Session, operand: &str) -> Result<Answer, Refusa
         }
         let only_if = only_if(session, here)?;
         let text = session.say(texts::PAUSES_WHEN_WRITTEN, &[&name.text()]);
-        let number = session.add(operand, Target::Write(name), only_if, every).map_err(wrong)?;
+        let request = request(Wanted::Write(written.trim().to_owned()), here);
+        let number = session.add(operand, Target::Write(name), only_if, every, request).map_err(wrong)?;
         return Ok(Answer::Breakpoint(number, text));
     }
     if what.contains(['<', '>', '=']) {
         let target = Target::Condition(condition_of(session, what, here, true)?);
         let only_if = only_if(session, here)?;
-        let number = session.add(operand, target, only_if, every).map_err(wrong)?;
+        let request = request(Wanted::Condition(what.to_owned()), here);
+        let number = session.add(operand, target, only_if, every, request).map_err(wrong)?;
         return Ok(Answer::Breakpoint(number, session.say(texts::PAUSES_WHEN_TRUE, &[&what])));
     }
     let goal = session.goal(what).map_err(no_place)?;
     // At a place the variables are those of its block.
     let only_if = only_if(session, Some(goal.place.block))?;
-    let number = session.add(operand, Target::Statement(goal.place, goal.last), only_if, every).map_err(wrong)?;
     let line = session.listing().line(goal.place);
+    // A line alone means one of the file where the run stands now.
+    let place = if what.parse::<usize>().is_ok() { format!("{}:{what}", line.file) } else { what.to_owned() };
+    let request = request(Wanted::Place(place), Some(goal.place.block));
+    let number = session.add(operand, Target::Statement(goal.place, goal.last), only_if, every, request).map_err(wrong)?;
     let moved = if goal.moved { pick(session.language, texts::MOVED) } else { "" };
     let text = session.say(texts::PAUSES_BEFORE, &[&line.file, &line.line, &line.said(session.language)]);
     Ok(Answer::Breakpoint(number, format!("{moved}{text}")))

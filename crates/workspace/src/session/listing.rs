@@ -3,16 +3,16 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use crate::controller;
-use crate::nearest::nearest;
-use crate::places::{Index, Places};
-use crate::project::Build;
 use sieben_engine::FaultPlace;
 use sieben_lang::reason::Language;
 use sieben_model::block::BlockId;
 use sieben_model::source::{FileId, Span};
 
 use super::texts::{self, END_OF_BLOCK, fill};
+use crate::controller;
+use crate::nearest::nearest;
+use crate::places::{Index, Places};
+use crate::project::Build;
 
 /// A statement as people find it.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -3,8 +3,11 @@
 //! [`Session`] is what every form of it works on: lines, JSON, a screen, a debugger.
 
 #[cfg(test)]
+mod change_tests;
+#[cfg(test)]
 mod tests;
 
+mod change;
 mod changes;
 pub mod commands;
 mod listing;
@@ -15,7 +18,6 @@ pub mod texts;
 
 use std::sync::Arc;
 
-use crate::project::Build;
 use sieben_cpu::{Cpu, OperatingMode};
 use sieben_engine::FaultPlace;
 use sieben_engine::machine::Registers;
@@ -29,6 +31,9 @@ use sieben_sim::history::{
 };
 use sieben_sim::names::{Name, NameError, Scope, Setting, Shown};
 
+use crate::project::Build;
+pub use change::{Changed, Lost, LostKind};
+use change::{Request, Wanted};
 pub use changes::Change;
 pub use listing::{Goal, Line, Listing};
 pub use movement::{Direction, Unit};
@@ -123,6 +128,8 @@ pub struct Session {
     history: History,
     networks: Networks,
     breakpoints: Vec<Breakpoint>,
+    /// How each of them was asked for.
+    requests: Vec<Request>,
     watched: Vec<Name>,
     numbered: u32,
     hits: Vec<Hit>,
@@ -139,12 +146,12 @@ impl Session {
 
     /// A run that has a history, of this program.
     pub fn with_history(build: Arc<Build>, history: History) -> Self {
-        let networks = build.compiled.bodies.iter().map(|(&id, body)| (id, body.networks())).collect();
         Self {
             listing: Listing::new(Arc::clone(&build)),
             history,
-            networks,
+            networks: networks(&build),
             breakpoints: Vec::new(),
+            requests: Vec::new(),
             watched: Vec::new(),
             numbered: 0,
             hits: Vec::new(),
@@ -152,6 +159,13 @@ impl Session {
             build,
             language: Language::English,
         }
+    }
+
+    /// Goes on with this program.
+    fn take(&mut self, build: Arc<Build>) {
+        self.listing = Listing::new(Arc::clone(&build));
+        (self.networks, self.if_rlo) = (networks(&build), if_rlo(&build));
+        self.build = build;
     }
 
     /// A text in the language of this microscope, with values in their places.
@@ -382,21 +396,23 @@ impl Session {
     ///
     /// # Errors
     /// There are too many.
-    pub fn add(&mut self, text: &str, target: Target, only_if: Option<Condition>, every: u64) -> Result<u32, String> {
+    fn add(&mut self, text: &str, target: Target, only_if: Option<Condition>, every: u64, request: Request) -> Result<u32, String> {
         if self.breakpoints.len() >= BREAKPOINTS_MAX {
             return Err(self.say(texts::BREAKPOINTS_FULL, &[&BREAKPOINTS_MAX]));
         }
         self.numbered += 1;
         let number = self.numbered;
+        self.requests.push(request);
         self.breakpoints.push(Breakpoint { number, text: text.to_owned(), target, only_if, every, times: 0 });
         Ok(number)
     }
 
     /// Deletes a breakpoint; `false` if there is none with this number.
     pub fn delete(&mut self, number: u32) -> bool {
-        let count = self.breakpoints.len();
-        self.breakpoints.retain(|breakpoint| breakpoint.number != number);
-        self.breakpoints.len() < count
+        let Some(index) = self.breakpoints.iter().position(|breakpoint| breakpoint.number == number) else { return false };
+        self.breakpoints.remove(index);
+        self.requests.remove(index);
+        true
     }
 
     /// Sets a breakpoint at a place, or deletes the one that is there.
@@ -407,7 +423,9 @@ impl Session {
             return Ok(());
         }
         let line = self.listing.line(goal.place);
-        self.add(&format!("{}:{}", line.file, line.line), target, None, 1).map(drop)
+        let text = format!("{}:{}", line.file, line.line);
+        let request = Request { wanted: Wanted::Place(text.clone()), only_if: None, block: Some(goal.place.block) };
+        self.add(&text, target, None, 1, request).map(drop)
     }
 
     /// Shows a value after every movement.
@@ -539,6 +557,11 @@ impl Session {
     fn shown(&self, name: &Name, bits: Option<u64>) -> String {
         bits.map_or_else(|| self.say(texts::NOT_THERE, &[]), |bits| name.show_bits(bits).to_string())
     }
+}
+
+/// The networks of the statements.
+fn networks(build: &Build) -> Networks {
+    build.compiled.bodies.iter().map(|(&id, body)| (id, body.networks())).collect()
 }
 
 /// The statements that store something only where the RLO is 1.

@@ -1,6 +1,5 @@
 //! A run as a file: the program it belongs to and what came from outside. Virtual time makes the rest come again.
 
-use crate::project::Build;
 use sieben_cpu::Restart;
 use sieben_engine::Program;
 use sieben_sim::duration::CYCLE_MAX;
@@ -8,6 +7,7 @@ use sieben_sim::history::{Action, History};
 use sieben_sim::names::{Name, Setting};
 
 use super::Session;
+use crate::project::Build;
 
 /// The first line of a recording.
 const HEAD: &str = "sieben recording 1";

@@ -1,8 +1,5 @@
 //! The run as text and as JSON: a row for a statement, with its registers, what it changed and why.
 
-use crate::controller;
-use crate::failed::{self, Failed};
-use crate::names;
 use serde_json::{Map, Value, json};
 use sieben_cpu::OperatingMode;
 use sieben_model::block::BlockId;
@@ -12,6 +9,9 @@ use sieben_sim::names::{Name, Setting};
 
 use super::commands::Answer;
 use super::{Change, Language, Line, LocalValue, Session, View, Who, texts};
+use crate::controller;
+use crate::failed::{self, Failed};
+use crate::names;
 use crate::refusal::Refusal;
 
 /// The head of the columns.

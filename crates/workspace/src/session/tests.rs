@@ -3,14 +3,14 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use crate::controller;
-use crate::project::{Build, Overrides, Project};
 use proptest::prelude::*;
 use sieben_engine::Interpreter;
 use sieben_sim::history::Plan;
 
 use super::commands::{ROWS, carry_out};
 use super::{Language, Session, table};
+use crate::controller;
+use crate::project::{Build, Overrides, Project};
 
 const SOURCE: &str = "DATA_BLOCK DB 1\nSTRUCT\n n : INT;\nEND_STRUCT\nBEGIN\nEND_DATA_BLOCK\nFUNCTION FC 1 : VOID\nVAR_TEMP\n n : INT;\nEND_VAR\nBEGIN\nL DB1.n\nT #n\n+ 1\nT DB1.n\n\
     END_FUNCTION\nORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\nA I 0.0\n= Q 4.0\nend: NOP 0\nNETWORK\nUC FC 1\nL DB1.n\nT MW 10\nEND_ORGANIZATION_BLOCK\n";
