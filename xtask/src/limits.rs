@@ -30,7 +30,13 @@ const CHAPTERS: &[Chapter] = &[
     Chapter {
         title: "Tests",
         about: "Unit tests, programs that check themselves, coverage, and scenarios as tests.",
-        paths: &["crates/model/src/testing", "crates/sim/src/runner", "crates/app/src/testing"],
+        paths: &[
+            "crates/model/src/testing",
+            "crates/sim/src/runner",
+            "crates/workspace/src/coverage",
+            "crates/workspace/src/testing",
+            "crates/app/src/testing",
+        ],
     },
     Chapter {
         title: "Traces",

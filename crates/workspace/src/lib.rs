@@ -4,6 +4,7 @@
 #![forbid(unsafe_code)]
 
 pub mod controller;
+pub mod coverage;
 pub mod driver;
 pub mod duration;
 pub mod failed;
@@ -21,6 +22,7 @@ pub mod schedule;
 pub mod session;
 pub mod settings;
 pub mod status;
+pub mod xml;
 
 pub use driver::{Driver, End, Surroundings};
 pub use gate::{Closed, Gate, Plant};

@@ -9,15 +9,15 @@ use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use sieben_model::problems::Problem;
 use sieben_sim::scenario::Rules;
+use sieben_workspace::coverage::{Collector, Coverage};
 
 use crate::arguments::{DiagnosticsArgument, ProgramArguments, StrictArgument};
 use crate::duration::{cycle_argument, duration_argument};
 use crate::engines::EngineArgument;
 use crate::failure::{Exit, Failure};
-use crate::testing::coverage::{Collector, Coverage};
 use crate::testing::discovery::Discovered;
 use crate::testing::rules::RuleArguments;
-use crate::testing::{self, Case, Conditions, Verdict, discovery, report, self_checking};
+use crate::testing::{self, Case, Conditions, Verdict, coverage_pages, discovery, report, self_checking};
 use crate::{files, output, paths, watch};
 
 /// Run unit tests (*.test.st), scenarios, and programs that check themselves.
@@ -199,7 +199,7 @@ fn once(arguments: &Arguments) -> Result<Exit, Failure> {
             written = written.and(files::write_whole(path, coverage.lcov().as_bytes()));
         }
         if let Some(folder) = &arguments.coverage_html {
-            let html = coverage.write_html(folder, &report::count(&finished));
+            let html = coverage_pages::write(coverage, folder, &report::count(&finished));
             written = written.and(html.map(|index| pages = Some(paths::shown(&index))));
         }
     }

@@ -1,6 +1,6 @@
 //! Tests of programs: what a test is, how many run at once, what came of them.
 
-pub(crate) mod coverage;
+pub(crate) mod coverage_pages;
 pub(crate) mod discovery;
 mod drawing;
 mod last_change;
@@ -18,11 +18,11 @@ use std::time::{Duration, Instant};
 
 use sieben_cpu::Cpu;
 use sieben_lang::encoding::Encoding;
+use sieben_workspace::coverage::Collector;
 use sieben_workspace::failed::{self, Failed};
 use sieben_workspace::project::{Build, Overrides};
 
 use crate::engines::EngineArgument;
-use coverage::Collector;
 use sieben_sim::devices::random::Random;
 use sieben_sim::scenario::Rules;
 use sieben_sim::trace::Moment;

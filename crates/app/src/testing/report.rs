@@ -8,6 +8,7 @@ use serde_json::{Value, json};
 use sieben_model::visible;
 use sieben_workspace::duration;
 use sieben_workspace::failed::Failed;
+use sieben_workspace::xml::escaped;
 
 use super::{Finished, Verdict, Wrong};
 use crate::failure::{Exit, Failure};
@@ -276,25 +277,6 @@ pub(crate) fn junit(finished: &[Finished], took: Duration) -> String {
         let _ = writeln!(out, ">\n      <{kind} message=\"{}\">{}</{kind}>\n    </testcase>", escaped(&headline), escaped(&text));
     }
     out.push_str("  </testsuite>\n</testsuites>\n");
-    out
-}
-
-/// A text inside XML; what no XML document may hold becomes a replacement character.
-pub(super) fn escaped(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for character in text.chars() {
-        match character {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            '\n' => out.push_str("&#10;"),
-            '\t' | '\r' => out.push(character),
-            '\u{FFFE}' | '\u{FFFF}' => out.push('\u{FFFD}'),
-            _ if visible::is_hidden(character) => visible::push(&mut out, character),
-            _ => out.push(character),
-        }
-    }
     out
 }
 

@@ -18,13 +18,13 @@ use sieben_sim::scenario::{Difference, Happened, Onlooker, Scenario, ScenarioErr
 use sieben_sim::timing_diagram::{Mark, Options};
 use sieben_sim::trace::{Channel, Keep, Memory, Moment, Origin, Recorder, Trace};
 use sieben_workspace::controller;
+use sieben_workspace::coverage::{Counting, Looking, looking};
 use sieben_workspace::duration;
 use sieben_workspace::failed::{self, Heard};
 use sieben_workspace::finding;
 use sieben_workspace::places::Places;
 use sieben_workspace::project::{Build, Overrides};
 
-use super::coverage::{Counting, Looking, looking};
 use super::last_change;
 use super::time_limit::TimeLimit;
 use super::{After, Case, Conditions, Outcome, Verdict, Wrong, drawing};

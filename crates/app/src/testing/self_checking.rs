@@ -14,12 +14,12 @@ use sieben_ide::cross_reference::CrossReference;
 use sieben_ide::target::Target;
 use sieben_model::block::{BlockId, BlockKind};
 use sieben_workspace::controller;
+use sieben_workspace::coverage::{Counting, looking};
 use sieben_workspace::duration;
 use sieben_workspace::finding;
 use sieben_workspace::project::{Build, Overrides};
 use sieben_workspace::schedule;
 
-use super::coverage::{Counting, looking};
 use super::time_limit::TimeLimit;
 use super::{After, Conditions, Outcome, Verdict, Wrong};
 use crate::engines::EngineArgument;

@@ -16,12 +16,12 @@ use sieben_sim::runner::{self, Limits, Watcher, Writers};
 use sieben_sim::timing_diagram;
 use sieben_sim::trace::{Keep, Memory, Origin, Recorder, Trace};
 use sieben_workspace::controller;
+use sieben_workspace::coverage::{Counting, Looking, looking};
 use sieben_workspace::duration;
 use sieben_workspace::finding;
 use sieben_workspace::project::{Build, Overrides};
 use sieben_workspace::schedule;
 
-use super::coverage::{Counting, Looking, looking};
 use super::last_change;
 use super::time_limit::TimeLimit;
 use super::{After, Case, Conditions, Outcome, Verdict, Wrong, drawing};

@@ -19,7 +19,7 @@ fn share(share: Share) -> String {
 
 impl Coverage {
     /// What the end of a run of tests shows.
-    pub(crate) fn summary(&self) -> String {
+    pub fn summary(&self) -> String {
         if self.files.is_empty() {
             return "coverage: no unit test has run, so nothing was counted\n".to_owned();
         }
@@ -49,7 +49,7 @@ impl Coverage {
     }
 
     /// Each source, for `--json`.
-    pub(crate) fn to_json(&self) -> Value {
+    pub fn to_json(&self) -> Value {
         let files = self.files.iter().map(|(name, file)| {
             let (lines, decisions) = (file.lines(), file.decisions());
             json!({

@@ -1,54 +1,42 @@
 //! Coverage as pages for a browser, which need nothing but themselves: one with all sources, and one for each source.
 
 use std::collections::BTreeSet;
-use std::ffi::OsStr;
 use std::fmt::Write as _;
-use std::io::{self, Read as _};
-use std::path::{Path, PathBuf};
-
-use sieben_model::problems::Problem;
 
 use super::{Coverage, File, Line, Share};
-use crate::failure::Failure;
-use crate::files;
-use crate::folder::{Folder, write_named};
-use crate::testing::report::escaped;
+use crate::xml::escaped;
 
 /// Every page begins with it: what does not is somebody else's and is not overwritten.
-const MARK: &str = "<!doctype html><!-- coverage written by sieben -->";
+pub const MARK: &str = "<!doctype html><!-- coverage written by sieben -->";
 /// The page with all sources.
-const INDEX: &str = "index.html";
+pub const INDEX: &str = "index.html";
 /// Characters of the name of a page; file systems take 255 bytes.
 const NAME_MAX: usize = 80;
 
 const STYLE: &str = include_str!("page.css");
 const SCRIPT: &str = include_str!("page.js");
 
+/// A page.
+#[derive(Clone, Debug)]
+pub struct Page {
+    /// The name of its file.
+    pub name: String,
+    /// All of it.
+    pub text: String,
+}
+
 impl Coverage {
-    /// Writes all pages into a folder, which is made if need be; returns the page to open.
-    ///
-    /// The page with all sources is taken away first and comes last, so that it is there only if all that it says is.
-    pub(crate) fn write_html(&self, folder: &Path, tests: &str) -> Result<PathBuf, Failure> {
-        if folder.exists() && !folder.is_dir() {
-            let message = format!("`{}` is a file, but the pages of coverage are written into a folder", folder.display());
-            return Err(Failure::usage(Problem::P6300, message));
-        }
-        std::fs::create_dir_all(folder).map_err(|error| files::unwritable(folder, &error))?;
+    /// The names of all pages, the one with all sources first.
+    pub fn page_names(&self) -> Vec<String> {
+        std::iter::once(INDEX.to_owned()).chain(page_names(self.files.keys())).collect()
+    }
+
+    /// All pages, the one with all sources last; `tests` says what came of the tests.
+    pub fn pages<'a>(&'a self, tests: &'a str) -> impl Iterator<Item = Page> + 'a {
         let names = page_names(self.files.keys());
-        let held = Folder::open(folder).map_err(|error| files::unwritable(folder, &error))?;
-        for name in [INDEX].into_iter().chain(names.iter().map(String::as_str)) {
-            is_free(&held, name, &folder.join(name))?;
-        }
-        let index = folder.join(INDEX);
-        held.remove(OsStr::new(INDEX)).map_err(|error| files::unwritable(&index, &error))?;
-        let write = |name: &str, page: String| {
-            write_named(folder, name, page.as_bytes()).map_err(|error| files::unwritable(&folder.join(name), &error))
-        };
-        for ((source, file), page) in self.files.iter().zip(&names) {
-            write(page, source_page(source, file))?;
-        }
-        write(INDEX, self.index(&names, tests))?;
-        Ok(index)
+        let index = self.index(&names, tests);
+        let source = |((source, file), name): ((&String, &File), String)| Page { name, text: source_page(source, file) };
+        self.files.iter().zip(names).map(source).chain(std::iter::once(Page { name: INDEX.to_owned(), text: index }))
     }
 
     fn index(&self, names: &[String], tests: &str) -> String {
@@ -81,21 +69,6 @@ fn page_names<'a>(sources: impl Iterator<Item = &'a String>) -> Vec<String> {
         free.next().unwrap_or_default()
     });
     names.collect()
-}
-
-/// Whether a page may be written here: nothing else has its name.
-fn is_free(folder: &Folder, name: &str, path: &Path) -> Result<(), Failure> {
-    let mut begin = vec![0; MARK.len()];
-    let read = folder.read(OsStr::new(name)).and_then(|mut file| file.read_exact(&mut begin));
-    let why = match read {
-        Ok(()) if begin == MARK.as_bytes() => return Ok(()),
-        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(()),
-        Ok(()) => String::new(),
-        Err(error) if error.kind() == io::ErrorKind::UnexpectedEof => String::new(),
-        Err(error) => format!(": {error}"),
-    };
-    let message = format!("`{}` is there already, and no page of coverage{why}", path.display());
-    Err(Failure::usage(Problem::P6300, message))
 }
 
 /// A whole page.

@@ -1,7 +1,7 @@
 //! Which statements of a program its tests have run, and which way its decisions have gone.
 
 mod counts;
-mod html;
+pub mod html;
 mod lcov;
 mod summary;
 
@@ -10,16 +10,16 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use sieben_lang::coverage::{Decision as Countable, Label};
 use sieben_model::source::{FileId, Sources, Span};
-use sieben_workspace::project::Build;
 
-pub(crate) use counts::{Counting, Counts, Looking, looking};
+use crate::project::Build;
+pub use counts::{Counting, Counts, Looking, looking};
 
 /// Characters of the source that the name of a decision has at most.
 const NAME_MAX: usize = 80;
 
 /// Takes in what tests count while they run, several at once.
 #[derive(Default)]
-pub(crate) struct Collector {
+pub struct Collector {
     /// The programs that were run, and what was counted in each; a program is known by its address.
     programs: Mutex<BTreeMap<usize, Counted>>,
 }
@@ -33,14 +33,14 @@ struct Counted {
 
 impl Collector {
     /// Takes in what a run of a program has counted.
-    pub(crate) fn add(&self, build: &Arc<Build>, test: Option<FileId>, counts: Counts) {
+    pub fn add(&self, build: &Arc<Build>, test: Option<FileId>, counts: Counts) {
         let mut programs = self.programs.lock().unwrap_or_else(PoisonError::into_inner);
         let known = programs.entry(Arc::as_ptr(build) as usize);
         known.or_insert_with(|| Counted { build: Arc::clone(build), test, counts: Counts::default() }).counts.add(counts);
     }
 
     /// What was counted, by the lines of the sources.
-    pub(crate) fn coverage(&self) -> Coverage {
+    pub fn coverage(&self) -> Coverage {
         let mut coverage = Coverage::default();
         for Counted { build, test, counts } in self.programs.lock().unwrap_or_else(PoisonError::into_inner).values() {
             coverage.add(build, *test, counts);
@@ -51,7 +51,7 @@ impl Collector {
 
 /// The sources of all programs that were tested.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Coverage {
+pub struct Coverage {
     /// By name.
     files: BTreeMap<String, File>,
 }
@@ -110,11 +110,11 @@ impl Decision {
 
 /// How many of how many.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Share {
+pub struct Share {
     /// Those that were.
-    pub(crate) hit: usize,
+    pub hit: usize,
     /// All.
-    pub(crate) all: usize,
+    pub all: usize,
 }
 
 impl Share {
@@ -123,7 +123,7 @@ impl Share {
     }
 
     /// In percent, rounded down: only all of it is 100.
-    pub(crate) fn percent(self) -> usize {
+    pub fn percent(self) -> usize {
         (self.hit * 100).checked_div(self.all).unwrap_or(100)
     }
 }
@@ -199,12 +199,12 @@ impl Coverage {
     }
 
     /// Lines with statements that were run.
-    pub(crate) fn lines(&self) -> Share {
+    pub fn lines(&self) -> Share {
         Share::of(self.files.values().flat_map(|file| file.lines.values()), |line| line.ran > 0)
     }
 
     /// Decisions that have gone every way.
-    pub(crate) fn decisions(&self) -> Share {
+    pub fn decisions(&self) -> Share {
         let lines = self.files.values().flat_map(|file| file.lines.values());
         Share::of(lines.flat_map(|line| &line.decisions), |decision| decision.is_whole())
     }

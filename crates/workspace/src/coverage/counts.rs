@@ -11,17 +11,17 @@ use sieben_model::block::BlockId;
 type Statement = (BlockId, u32);
 
 /// What statements look at, by the statement.
-pub(crate) type Looking = HashMap<Statement, Look>;
+pub type Looking = HashMap<Statement, Look>;
 
 /// The statements of a program that look at something.
-pub(crate) fn looking(compiled: &Compiled) -> Looking {
+pub fn looking(compiled: &Compiled) -> Looking {
     let all = compiled.countable.iter();
     all.flat_map(|(&block, countable)| countable.looking.iter().map(move |&(number, look)| ((block, number), look))).collect()
 }
 
 /// How often each statement ran.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Counts {
+pub struct Counts {
     ran: HashMap<Statement, u64>,
     /// The same by what the statement looked at.
     with: HashMap<(Statement, u8), u64>,
@@ -53,15 +53,15 @@ fn more(known: &mut u64, count: u64) {
 
 /// Counts a run.
 #[derive(Clone, Debug)]
-pub(crate) struct Counting<'a> {
+pub struct Counting<'a> {
     looking: &'a Looking,
     /// What was counted so far.
-    pub(crate) counts: Counts,
+    pub counts: Counts,
 }
 
 impl<'a> Counting<'a> {
     /// Nothing was counted yet.
-    pub(crate) fn new(looking: &'a Looking) -> Self {
+    pub fn new(looking: &'a Looking) -> Self {
         Self { looking, counts: Counts::default() }
     }
 }

@@ -6,7 +6,7 @@ use super::Coverage;
 
 impl Coverage {
     /// The tracefile. Each way of a decision is a branch, in the order of the page: RLO 0 before RLO 1, FALSE before TRUE.
-    pub(crate) fn lcov(&self) -> String {
+    pub fn lcov(&self) -> String {
         let mut out = String::from("TN:\n");
         // Writing to a text cannot fail.
         for (name, file) in &self.files {
