@@ -44,6 +44,7 @@ const CHAPTERS: &[Chapter] = &[
         paths: &[
             "crates/sim/src/trace",
             "crates/sim/src/timing_diagram",
+            "crates/workspace/src/tracing",
             "crates/app/src/tracing",
             "crates/app/src/commands/trace",
             "crates/app/src/commands/record",

@@ -22,6 +22,8 @@ use sieben_workspace::failed::Heard;
 use sieben_workspace::names;
 use sieben_workspace::places::Places;
 use sieben_workspace::project::Build;
+use sieben_workspace::tracing::channels;
+use sieben_workspace::tracing::scenario::{origin, rack};
 
 use super::run::{now, speed_argument};
 use crate::arguments::{FaultArguments, ProgramArguments};
@@ -30,8 +32,7 @@ use crate::failure::{Exit, Failure};
 use crate::paths::{self, is_scenario, shown};
 use crate::retain::restart_argument;
 use crate::schedule::ScheduleArguments;
-use crate::tracing::channels;
-use crate::tracing::scenario::{self, origin};
+use crate::tracing::scenario;
 use crate::{files, output, terminal};
 
 /// Text that waits at most before it is written.
@@ -192,7 +193,7 @@ fn record(
     mut live: Live,
 ) -> Result<Exit, Failure> {
     let mut fresh = || {
-        let mut cpu = Cpu::new(loaded.clone(), scenario::rack(build, scenario), settings.clone());
+        let mut cpu = Cpu::new(loaded.clone(), rack(build, scenario), settings.clone());
         // They were taken by another CPU before; a scenario with other modules has none that could fail.
         let _ = arguments.faults.inject(&mut cpu);
         cpu

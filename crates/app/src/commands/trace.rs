@@ -20,6 +20,8 @@ use sieben_workspace::duration;
 use sieben_workspace::failed::{Failed, Heard};
 use sieben_workspace::names;
 use sieben_workspace::project::Build;
+use sieben_workspace::tracing::channels;
+use sieben_workspace::tracing::scenario::{origin, rack};
 
 use crate::arguments::{FaultArguments, ProgramArguments};
 use crate::duration::duration_argument;
@@ -27,10 +29,9 @@ use crate::engines::EngineArgument;
 use crate::failure::{Exit, Failure};
 use crate::paths::{self, is_scenario};
 use crate::schedule::ScheduleArguments;
-use crate::tracing::channels;
 use crate::tracing::file::{Disk, Spill};
 use crate::tracing::output::{unreadable, unwritable, write};
-use crate::tracing::scenario::{self, origin};
+use crate::tracing::scenario;
 use crate::{output, report};
 
 /// Record values over many scans and draw them as a timing diagram.
@@ -195,7 +196,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let (trace, outcome) = match &scenario {
         Some((path, scenario)) => {
             let mut fresh = || {
-                let mut cpu = Cpu::new(loaded.clone(), scenario::rack(&build, scenario), controller::settings(&build));
+                let mut cpu = Cpu::new(loaded.clone(), rack(&build, scenario), controller::settings(&build));
                 // They were taken by the CPU above; a scenario with other modules has none that could fail.
                 let _ = arguments.faults.inject(&mut cpu);
                 cpu

@@ -174,7 +174,7 @@ fn unnamed(name: String, program: Vec<PathBuf>, tested: bool) -> Case {
 
 /// A test that cannot be run, and why.
 fn broken(name: String, failure: Failure) -> Case {
-    let run = move |_: &Conditions| Outcome::nothing_ran(Verdict::Unreadable(failure.clone()));
+    let run = move |_: &Conditions| Outcome::nothing_ran(Verdict::Unreadable(failure.refusal.clone()));
     Case { file: Some(name.clone()), ..Case::new(name, Box::new(run)) }
 }
 

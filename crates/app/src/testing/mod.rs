@@ -18,6 +18,7 @@ use std::time::{Duration, Instant};
 
 use sieben_cpu::Cpu;
 use sieben_lang::encoding::Encoding;
+use sieben_workspace::Refusal;
 use sieben_workspace::coverage::Collector;
 use sieben_workspace::failed::{self, Failed};
 use sieben_workspace::project::{Build, Overrides};
@@ -26,8 +27,6 @@ use crate::engines::EngineArgument;
 use sieben_sim::devices::random::Random;
 use sieben_sim::scenario::Rules;
 use sieben_sim::trace::Moment;
-
-use crate::failure::Failure;
 
 /// One test: a name, and what runs it. Whatever kind of test it is, it answers with an [`Outcome`].
 pub(crate) struct Case {
@@ -142,9 +141,9 @@ pub(crate) enum Verdict {
     /// It does not compile; the diagnostics as text, each for itself, and their number.
     DoesNotCompile(Vec<String>),
     /// Its files cannot be read, or do not belong to the program.
-    Unreadable(Failure),
+    Unreadable(Refusal),
     /// Lines of its file are not understood.
-    Misread(Vec<Failure>),
+    Misread(Vec<Refusal>),
 }
 
 /// What a test found wrong.

@@ -6,12 +6,13 @@ use std::time::Duration;
 
 use serde_json::{Value, json};
 use sieben_model::visible;
+use sieben_workspace::Refusal;
 use sieben_workspace::duration;
 use sieben_workspace::failed::Failed;
 use sieben_workspace::xml::escaped;
 
 use super::{Finished, Verdict, Wrong};
-use crate::failure::{Exit, Failure};
+use crate::failure::Exit;
 
 /// How many tests ended how.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -85,8 +86,7 @@ fn why(verdict: &Verdict) -> Option<(String, Vec<String>)> {
 }
 
 /// What is wrong with a file, and what to do.
-fn misread(failure: &Failure) -> (String, Vec<String>) {
-    let refusal = &failure.refusal;
+fn misread(refusal: &Refusal) -> (String, Vec<String>) {
     (refusal.message.clone(), vec![format!("[{}] {}", refusal.problem.code(), refusal.shown_help())])
 }
 
@@ -223,12 +223,12 @@ fn one_to_json(test: &Finished, seconds: f64) -> Value {
         Verdict::Passed | Verdict::NoTest => None,
         Verdict::Failed(wrong) => Some(wrong.message.clone()),
         Verdict::DoesNotCompile(findings) => Some(findings.concat()),
-        Verdict::Unreadable(failure) => Some(failure.refusal.message.clone()),
-        Verdict::Misread(failures) => failures.first().map(|failure| failure.refusal.message.clone()),
+        Verdict::Unreadable(refusal) => Some(refusal.message.clone()),
+        Verdict::Misread(refusals) => refusals.first().map(|refusal| refusal.message.clone()),
     };
     let problem = match &test.outcome.verdict {
-        Verdict::Unreadable(failure) => Some(failure.refusal.problem.code()),
-        Verdict::Misread(failures) => failures.first().map(|failure| failure.refusal.problem.code()),
+        Verdict::Unreadable(refusal) => Some(refusal.problem.code()),
+        Verdict::Misread(refusals) => refusals.first().map(|refusal| refusal.problem.code()),
         _ => None,
     };
     let mut object = json!({

@@ -17,6 +17,7 @@ use sieben_sim::runner::{Watcher, Writers};
 use sieben_sim::scenario::{Difference, Happened, Onlooker, Scenario, ScenarioError};
 use sieben_sim::timing_diagram::{Mark, Options};
 use sieben_sim::trace::{Channel, Keep, Memory, Moment, Origin, Recorder, Trace};
+use sieben_workspace::Refusal;
 use sieben_workspace::controller;
 use sieben_workspace::coverage::{Counting, Looking, looking};
 use sieben_workspace::duration;
@@ -24,12 +25,12 @@ use sieben_workspace::failed::{self, Heard};
 use sieben_workspace::finding;
 use sieben_workspace::places::Places;
 use sieben_workspace::project::{Build, Overrides};
+use sieben_workspace::tracing::scenario::{cut_off, origin, rack};
 
 use super::last_change;
 use super::time_limit::TimeLimit;
 use super::{After, Case, Conditions, Outcome, Verdict, Wrong, drawing};
 use crate::engines::EngineArgument;
-use crate::failure::Failure;
 use crate::paths::shown;
 use crate::project;
 use crate::report;
@@ -64,15 +65,15 @@ fn run(program: &[PathBuf], file: &Path, named: bool, conditions: &Conditions) -
     let begun = Instant::now();
     let scenario = match files::read(file) {
         Ok(scenario) => scenario,
-        Err(Unusable::File(failure)) => return nothing_ran(Verdict::Unreadable(failure)),
-        Err(Unusable::Lines(failures)) => return nothing_ran(Verdict::Misread(failures)),
+        Err(Unusable::File(failure)) => return nothing_ran(Verdict::Unreadable(failure.refusal)),
+        Err(Unusable::Lines(refusals)) => return nothing_ran(Verdict::Misread(refusals)),
     };
     if !named && !scenario.expects() {
         return nothing_ran(Verdict::NoTest);
     }
     let project = match project::load(program, conditions.encoding) {
         Ok(project) => project,
-        Err(failure) => return nothing_ran(Verdict::Unreadable(failure)),
+        Err(failure) => return nothing_ran(Verdict::Unreadable(failure.refusal)),
     };
     let overrides =
         Overrides { cpu: conditions.overrides.cpu.or(scenario.cpu), counted: conditions.coverage.is_some(), ..conditions.overrides };
@@ -89,7 +90,7 @@ fn run(program: &[PathBuf], file: &Path, named: bool, conditions: &Conditions) -
 }
 
 /// The names of a scenario that the program does not have.
-fn missing(build: &Build, scenario: &Scenario, file: &Path, conditions: &Conditions) -> Option<Failure> {
+fn missing(build: &Build, scenario: &Scenario, file: &Path, conditions: &Conditions) -> Option<Refusal> {
     let (symbols, program) = (&build.project.symbols, &build.compiled.program);
     let here = |name: &str| Name::parse(conditions.rules.name(name), symbols, program);
     let missing: Vec<(usize, &str)> =
@@ -102,7 +103,7 @@ fn missing(build: &Build, scenario: &Scenario, file: &Path, conditions: &Conditi
     let names: Vec<String> = missing.iter().take(MISSING_MAX).map(|(_, name)| written(name)).collect();
     let more = if missing.len() > MISSING_MAX { format!(" and {} more", missing.len() - MISSING_MAX) } else { String::new() };
     let message = format!("{}:{first}: the program does not have {}{more}", shown(file), names.join(", "));
-    Some(Failure::usage(Problem::P6292, message))
+    Some(Refusal::new(Problem::P6292, message))
 }
 
 /// A scenario with the program that is held against it.
@@ -162,7 +163,7 @@ impl Test<'_> {
         let settings = controller::settings(&self.build);
         let mut limit = None;
         let mut fresh = || {
-            let cpu = Cpu::new(loaded.clone(), files::rack(&self.build, &self.scenario), settings.clone());
+            let cpu = Cpu::new(loaded.clone(), rack(&self.build, &self.scenario), settings.clone());
             limit = Some(TimeLimit::start(&cpu, self.conditions.timeout.saturating_sub(self.begun.elapsed())));
             cpu
         };
@@ -216,11 +217,11 @@ impl Test<'_> {
 
     fn wrong(&self, first: &ScenarioError, judge: &Judge<'_>) -> Wrong {
         let mut wrong = Wrong { message: first.message.clone(), place: Some((shown(&self.file), first.line)), ..Wrong::default() };
-        let of_another = self.scenario.recorded.as_ref().filter(|recorded| recorded.program != files::origin(&self.build).program);
+        let of_another = self.scenario.recorded.as_ref().filter(|recorded| recorded.program != origin(&self.build).program);
         if let Some(recorded) = of_another {
             wrong.lines.push(format!("recorded with `{}`", recorded.title));
         }
-        wrong.lines.extend(files::cut_off(&self.file, &self.scenario));
+        wrong.lines.extend(cut_off(&shown(&self.file), &self.scenario));
         let others: Vec<&Difference> = judge.differences.iter().skip(1).collect();
         if let Some(difference) = judge.differences.first().filter(|difference| difference.line == first.line) {
             let kind = difference.place.recorded();

@@ -39,7 +39,7 @@ pub(crate) fn run(paths: &[PathBuf], test: Option<&PathBuf>, named: bool, condit
     all.extend(paths.iter().cloned());
     let project = match project::load(&all, conditions.encoding) {
         Ok(project) => project,
-        Err(failure) => return nothing_ran(Verdict::Unreadable(failure)),
+        Err(failure) => return nothing_ran(Verdict::Unreadable(failure.refusal)),
     };
     // A program that checks itself cannot do without the words for it.
     let overrides = Overrides { extended: true, replacing: test.is_some(), counted: conditions.coverage.is_some(), ..conditions.overrides };

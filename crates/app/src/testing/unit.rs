@@ -84,7 +84,7 @@ pub(super) fn cases(program: &[PathBuf], file: &Path, conditions: &Conditions) -
 fn compile(program: &[PathBuf], file: &Path, conditions: &Conditions) -> Result<Ready, Verdict> {
     let mut all = program.to_vec();
     all.push(file.to_path_buf());
-    let project = project::load(&all, conditions.encoding).map_err(Verdict::Unreadable)?;
+    let project = project::load(&all, conditions.encoding).map_err(|failure| Verdict::Unreadable(failure.refusal))?;
     let overrides = Overrides { tests: true, counted: conditions.coverage.is_some(), ..conditions.overrides };
     let build = project.compile(overrides, false);
     if finding::has_errors(&build.findings) {

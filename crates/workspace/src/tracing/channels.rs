@@ -1,4 +1,4 @@
-//! What is recorded: the names on the command line, or the inputs and outputs that a program uses.
+//! What is recorded: the names that a user gives, or the inputs and outputs that a program uses.
 
 use sieben_cpu::Cpu;
 use sieben_ide::cross_reference::CrossReference;
@@ -8,17 +8,17 @@ use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
 use sieben_sim::names::Name;
 use sieben_sim::trace::CHANNELS_MAX;
-use sieben_workspace::names;
-use sieben_workspace::places::Places;
-use sieben_workspace::project::Build;
 
-use crate::failure::Failure;
+use crate::names;
+use crate::places::Places;
+use crate::project::Build;
+use crate::refusal::Refusal;
 
 /// The areas whose addresses are recorded when nobody names any.
 const AREAS: [Area; 4] = [Area::Input, Area::PeripheralInput, Area::Output, Area::PeripheralOutput];
 
 /// The channels that the lists name; without any, those of the inputs and outputs that the program uses.
-pub(crate) fn chosen(lists: &[String], build: &Build, cpu: &Cpu) -> Result<Vec<Name>, Failure> {
+pub fn chosen(lists: &[String], build: &Build, cpu: &Cpu) -> Result<Vec<Name>, Refusal> {
     let mut channels = match lists {
         [] => used(build, cpu),
         lists => names::resolve_lists(lists, &build.project.symbols, cpu)?,
@@ -26,10 +26,10 @@ pub(crate) fn chosen(lists: &[String], build: &Build, cpu: &Cpu) -> Result<Vec<N
     let mut seen = std::collections::HashSet::new();
     channels.retain(|name| seen.insert(name.text().to_owned()));
     match channels.len() {
-        0 if lists.is_empty() => Err(Failure::usage(Problem::P7032, "the program uses no inputs and outputs that could be recorded")),
-        0 => Err(Failure::usage(Problem::P7032, "`--channels` names nothing")),
+        0 if lists.is_empty() => Err(Refusal::new(Problem::P7032, "the program uses no inputs and outputs that could be recorded")),
+        0 => Err(Refusal::new(Problem::P7032, "`--channels` names nothing")),
         count if count > CHANNELS_MAX => {
-            Err(Failure::usage(Problem::P7032, format!("{count} channels are too many; a trace has at most {CHANNELS_MAX}")))
+            Err(Refusal::new(Problem::P7032, format!("{count} channels are too many; a trace has at most {CHANNELS_MAX}")))
         }
         _ => Ok(channels),
     }
@@ -37,7 +37,7 @@ pub(crate) fn chosen(lists: &[String], build: &Build, cpu: &Cpu) -> Result<Vec<N
 
 /// The inputs and outputs of a program for a recording that other programs are held against: as symbols wherever there are some, so that addresses may be others
 /// there; inputs with a symbol first, then the wider ones.
-pub(crate) fn signals(build: &Build, cpu: &Cpu) -> (Vec<Name>, Vec<Name>) {
+pub fn signals(build: &Build, cpu: &Cpu) -> (Vec<Name>, Vec<Name>) {
     let address = |name: &Name| match name.operand() {
         Some(Operand::Address(address)) if AREAS.contains(&address.area) => Some(*address),
         _ => None,
