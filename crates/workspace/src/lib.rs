@@ -22,6 +22,7 @@ pub mod schedule;
 pub mod session;
 pub mod settings;
 pub mod status;
+pub mod testing;
 pub mod tracing;
 pub mod xml;
 

@@ -1,13 +1,12 @@
 //! Scenarios as tests: a program is held against what a scenario expects, or against what another program did when it was recorded.
 
 use std::collections::VecDeque;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use sieben_cpu::{Cpu, DiagnosticBuffer, Loaded};
 use sieben_engine::{Interpreter, Tracer};
-use sieben_jit::StatusBits;
 use sieben_model::address::{Area, Operand};
 use sieben_model::problems::Problem;
 use sieben_model::testing::Signal;
@@ -17,24 +16,17 @@ use sieben_sim::runner::{Watcher, Writers};
 use sieben_sim::scenario::{Difference, Happened, Onlooker, Scenario, ScenarioError};
 use sieben_sim::timing_diagram::{Mark, Options};
 use sieben_sim::trace::{Channel, Keep, Memory, Moment, Origin, Recorder, Trace};
-use sieben_workspace::Refusal;
-use sieben_workspace::controller;
-use sieben_workspace::coverage::{Counting, Looking, looking};
-use sieben_workspace::duration;
-use sieben_workspace::failed::{self, Heard};
-use sieben_workspace::finding;
-use sieben_workspace::places::Places;
-use sieben_workspace::project::{Build, Overrides};
-use sieben_workspace::tracing::scenario::{cut_off, origin, rack};
 
 use super::last_change;
-use super::time_limit::TimeLimit;
-use super::{After, Case, Conditions, Outcome, Verdict, Wrong, drawing};
-use crate::engines::EngineArgument;
-use crate::paths::shown;
-use crate::project;
-use crate::report;
-use crate::tracing::scenario::{self as files, Unusable};
+use super::{After, Conditions, Outcome, Stopwatch, Verdict, Wrong, drawing};
+use crate::controller;
+use crate::coverage::{Counting, Looking, looking};
+use crate::duration;
+use crate::failed::{self, Heard};
+use crate::places::Places;
+use crate::project::{Build, Overrides, Project};
+use crate::refusal::Refusal;
+use crate::tracing::scenario::{cut_off, origin, rack};
 
 /// Scans before a difference that its diagram shows, and behind it.
 const BEFORE: u64 = 30;
@@ -48,49 +40,25 @@ const OTHERS_MAX: usize = 8;
 /// Names that the program does not have and that are told.
 const MISSING_MAX: usize = 10;
 
-/// The test of a scenario for a program. One that nobody `named` has to expect something.
-pub(super) fn case(program: Vec<PathBuf>, file: PathBuf, named: bool) -> Case {
-    let name = shown(&file);
-    let scenario = Some(file.clone());
-    Case { scenario, ..Case::new(name, Box::new(move |conditions| run(&program, &file, named, conditions))) }
-}
-
-/// Whether a scenario expects anything; one that cannot be read says so when it is run.
-pub(super) fn is_test(file: &Path) -> bool {
-    files::read(file).map_or(true, |scenario| scenario.expects())
-}
-
-fn run(program: &[PathBuf], file: &Path, named: bool, conditions: &Conditions) -> Outcome {
+/// Holds a program against a scenario; `file` is what the scenario is called. `stopwatch` runs since their files were read.
+pub fn run(project: Project, scenario: Scenario, file: &str, stopwatch: Stopwatch, conditions: &Conditions) -> Outcome {
     let nothing_ran = Outcome::nothing_ran;
-    let begun = Instant::now();
-    let scenario = match files::read(file) {
-        Ok(scenario) => scenario,
-        Err(Unusable::File(failure)) => return nothing_ran(Verdict::Unreadable(failure.refusal)),
-        Err(Unusable::Lines(refusals)) => return nothing_ran(Verdict::Misread(refusals)),
-    };
-    if !named && !scenario.expects() {
-        return nothing_ran(Verdict::NoTest);
-    }
-    let project = match project::load(program, conditions.encoding) {
-        Ok(project) => project,
-        Err(failure) => return nothing_ran(Verdict::Unreadable(failure.refusal)),
-    };
     let overrides =
         Overrides { cpu: conditions.overrides.cpu.or(scenario.cpu), counted: conditions.coverage.is_some(), ..conditions.overrides };
-    let build = project.compile(overrides, false);
-    if finding::has_errors(&build.findings) {
-        return nothing_ran(Verdict::DoesNotCompile(report::parts(&build.findings, &build.project.texts)));
-    }
-    if let Some(failure) = missing(&build, &scenario, file, conditions) {
-        return nothing_ran(Verdict::Unreadable(failure));
+    let build = match conditions.compile(project, overrides) {
+        Ok(build) => build,
+        Err(verdict) => return nothing_ran(verdict),
+    };
+    if let Some(refusal) = missing(&build, &scenario, file, conditions) {
+        return nothing_ran(Verdict::Unreadable(refusal));
     }
     let looking = looking(&build.compiled);
-    let test = Test { build: Arc::new(build), looking, scenario, file: file.to_path_buf(), begun, conditions };
+    let test = Test { build: Arc::new(build), looking, scenario, file: file.to_owned(), stopwatch, conditions };
     test.run()
 }
 
 /// The names of a scenario that the program does not have.
-fn missing(build: &Build, scenario: &Scenario, file: &Path, conditions: &Conditions) -> Option<Refusal> {
+fn missing(build: &Build, scenario: &Scenario, file: &str, conditions: &Conditions) -> Option<Refusal> {
     let (symbols, program) = (&build.project.symbols, &build.compiled.program);
     let here = |name: &str| Name::parse(conditions.rules.name(name), symbols, program);
     let missing: Vec<(usize, &str)> =
@@ -102,7 +70,7 @@ fn missing(build: &Build, scenario: &Scenario, file: &Path, conditions: &Conditi
     };
     let names: Vec<String> = missing.iter().take(MISSING_MAX).map(|(_, name)| written(name)).collect();
     let more = if missing.len() > MISSING_MAX { format!(" and {} more", missing.len() - MISSING_MAX) } else { String::new() };
-    let message = format!("{}:{first}: the program does not have {}{more}", shown(file), names.join(", "));
+    let message = format!("{}:{first}: the program does not have {}{more}", file, names.join(", "));
     Some(Refusal::new(Problem::P6292, message))
 }
 
@@ -112,16 +80,17 @@ struct Test<'a> {
     /// What coverage looks at.
     looking: Looking,
     scenario: Scenario,
-    file: PathBuf,
+    /// What it is called.
+    file: String,
     /// When its real time began, which all of its runs share.
-    begun: Instant,
+    stopwatch: Stopwatch,
     conditions: &'a Conditions,
 }
 
 /// The first run: what is wrong.
 struct Judge<'a> {
     diagnostics: bool,
-    begun: Instant,
+    stopwatch: Stopwatch,
     timeout: Duration,
     late: bool,
     scans: u64,
@@ -150,7 +119,7 @@ impl Onlooker for Judge<'_> {
         }
     }
     fn may_go_on(&mut self) -> bool {
-        self.late = self.late || self.begun.elapsed() >= self.timeout;
+        self.late = self.late || self.stopwatch.elapsed() >= self.timeout;
         !self.late
     }
     fn tracer(&mut self) -> Option<&mut dyn Tracer> {
@@ -164,19 +133,20 @@ impl Test<'_> {
         let mut limit = None;
         let mut fresh = || {
             let cpu = Cpu::new(loaded.clone(), rack(&self.build, &self.scenario), settings.clone());
-            limit = Some(TimeLimit::start(&cpu, self.conditions.timeout.saturating_sub(self.begun.elapsed())));
+            limit = Some(
+                self.conditions.outside.stop_after(cpu.stop_request(), self.conditions.timeout.saturating_sub(self.stopwatch.elapsed())),
+            );
             cpu
         };
         self.scenario.run_with(&self.build.project.symbols, &self.conditions.rules, &mut fresh, onlooker);
     }
 
     fn run(&self) -> Outcome {
-        let engine = if self.conditions.coverage.is_some() { EngineArgument::Interpreter } else { self.conditions.engine };
         let mut judge = Judge {
             diagnostics: self.conditions.diagnostics,
             heard: Heard::default(),
             buffer: None,
-            begun: self.begun,
+            stopwatch: self.stopwatch.clone(),
             timeout: self.conditions.timeout,
             late: false,
             scans: 0,
@@ -185,7 +155,7 @@ impl Test<'_> {
             differences: Vec::new(),
             counting: self.conditions.coverage.is_some().then(|| Counting::new(&self.looking)),
         };
-        self.go(&controller::loaded(&self.build, engine.factory(StatusBits::All)), &mut judge);
+        self.go(&self.conditions.loaded(self.build.cpu, &self.build), &mut judge);
         if let Some((collector, counting)) = self.conditions.coverage.as_ref().zip(judge.counting.take()) {
             collector.add(&self.build, None, counting.counts);
         }
@@ -206,22 +176,20 @@ impl Test<'_> {
             },
         };
         // A report of a failure says it itself.
-        if matches!(verdict, Verdict::Passed) {
-            files::warn_if_cut_off(&self.file, &self.scenario);
-        }
+        let warning = cut_off(&self.file, &self.scenario).filter(|_| matches!(verdict, Verdict::Passed));
         let entries = judge.buffer.iter().flat_map(|buffer| buffer.entries());
         let diagnostics = entries.map(|entry| failed::entry_text(&self.build, entry)).collect();
         let after = After { failed: judge.heard.failed(&self.build), diagnostics };
-        Outcome::new(verdict, judge.scans, Duration::from_micros(judge.time_us), after, self.conditions)
+        Outcome { warning, ..Outcome::new(verdict, judge.scans, Duration::from_micros(judge.time_us), after, self.conditions) }
     }
 
     fn wrong(&self, first: &ScenarioError, judge: &Judge<'_>) -> Wrong {
-        let mut wrong = Wrong { message: first.message.clone(), place: Some((shown(&self.file), first.line)), ..Wrong::default() };
+        let mut wrong = Wrong { message: first.message.clone(), place: Some((self.file.clone(), first.line)), ..Wrong::default() };
         let of_another = self.scenario.recorded.as_ref().filter(|recorded| recorded.program != origin(&self.build).program);
         if let Some(recorded) = of_another {
             wrong.lines.push(format!("recorded with `{}`", recorded.title));
         }
-        wrong.lines.extend(cut_off(&shown(&self.file), &self.scenario));
+        wrong.lines.extend(cut_off(&self.file, &self.scenario));
         let others: Vec<&Difference> = judge.differences.iter().skip(1).collect();
         if let Some(difference) = judge.differences.first().filter(|difference| difference.line == first.line) {
             let kind = difference.place.recorded();
@@ -265,7 +233,7 @@ impl Test<'_> {
         let mut looking = Again::new(self, difference);
         self.go(&loaded, &mut looking);
         // What a run that was given up did not see, it cannot tell.
-        if self.begun.elapsed() >= self.conditions.timeout {
+        if self.stopwatch.elapsed() >= self.conditions.timeout {
             return Vec::new();
         }
         let mut lines = Vec::new();
@@ -275,7 +243,8 @@ impl Test<'_> {
         }
         let diagram = looking.diagram().map(|(trail, mark)| {
             let options = Options { marks: vec![mark], ..Options::text() };
-            let name = self.file.file_stem().map_or_else(|| "scenario".to_owned(), |name| name.to_string_lossy().into_owned());
+            let stem = Path::new(&self.file).file_stem();
+            let name = stem.map_or_else(|| "scenario".to_owned(), |name| name.to_string_lossy().into_owned());
             drawing::lines(&trail, &name, &options, self.conditions)
         });
         lines.extend(diagram.unwrap_or_default());
@@ -306,7 +275,7 @@ struct Again<'a> {
     writers: Option<Writers>,
     written: Option<sieben_sim::runner::Written>,
     signal: Option<Signal>,
-    begun: Instant,
+    stopwatch: Stopwatch,
     timeout: Duration,
 }
 
@@ -327,8 +296,8 @@ impl<'a> Again<'a> {
             let address = sieben_model::address::Address { area, ..address };
             Some(Signal { name: difference.name.clone(), data_block, address, data_type: DataType::Bool })
         });
-        let (begun, timeout) = (test.begun, test.conditions.timeout);
-        Self { difference, names, rows: VecDeque::new(), scan: 0, writers: None, written: None, signal, begun, timeout }
+        let (stopwatch, timeout) = (test.stopwatch.clone(), test.conditions.timeout);
+        Self { difference, names, rows: VecDeque::new(), scan: 0, writers: None, written: None, signal, stopwatch, timeout }
     }
 
     /// The lanes of the name that differs, and of those that changed last before it.
@@ -398,7 +367,7 @@ impl Onlooker for Again<'_> {
         }
     }
     fn may_go_on(&mut self) -> bool {
-        self.scan <= self.difference.moment.scan.saturating_add(BEHIND) && self.begun.elapsed() < self.timeout
+        self.scan <= self.difference.moment.scan.saturating_add(BEHIND) && self.stopwatch.elapsed() < self.timeout
     }
     fn tracer(&mut self) -> Option<&mut dyn Tracer> {
         let closely = self.looks_closely();

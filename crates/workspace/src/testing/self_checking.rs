@@ -1,61 +1,55 @@
 //! A program that checks itself: it has passed when it reaches `CALL SFC 46`, and failed when an assertion is false.
 
-use std::path::PathBuf;
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use sieben_cpu::diagnostic_buffer::place_text;
 use sieben_cpu::{Cpu, OperatingMode, Restart, StopCause};
 use sieben_engine::Tracer;
-use sieben_jit::StatusBits;
-use sieben_model::source::FileId;
-
 use sieben_ide::cross_reference::CrossReference;
 use sieben_ide::target::Target;
 use sieben_model::block::{BlockId, BlockKind};
-use sieben_workspace::controller;
-use sieben_workspace::coverage::{Counting, looking};
-use sieben_workspace::duration;
-use sieben_workspace::finding;
-use sieben_workspace::project::{Build, Overrides};
-use sieben_workspace::schedule;
+use sieben_model::source::FileId;
 
-use super::time_limit::TimeLimit;
-use super::{After, Conditions, Outcome, Verdict, Wrong};
-use crate::engines::EngineArgument;
-use crate::project;
-use crate::report;
+use super::{After, Conditions, Outcome, Stopwatch, Verdict, Wrong};
+use crate::controller;
+use crate::coverage::{Counting, looking};
+use crate::duration;
+use crate::finding;
+use crate::project::{Build, Overrides, Project};
+use crate::schedule;
 
 /// Virtual time in which such a program has to end if nothing is said.
 const LIMIT: Duration = Duration::from_secs(60);
 /// STOP by the program: the end of a program that checks itself.
 const STOP_BY_PROGRAM: u16 = 0x457F;
 
-/// Runs a program until it ends; one that is not `named` as a test must have words to check itself. The blocks of `test`, if there is one, take the place of those of the program.
-pub(crate) fn run(paths: &[PathBuf], test: Option<&PathBuf>, named: bool, conditions: &Conditions) -> Outcome {
-    let begun = Instant::now();
+/// Whether the blocks of the first source, which is a test, take the place of those of the program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FirstSource {
+    /// It is a test, and its blocks do.
+    Replaces,
+    /// It is one of the program.
+    Belongs,
+}
+
+/// Runs a program until it ends; one that is not `named` as a test must have words to check itself. `stopwatch` runs since its files were read.
+pub fn run(project: Project, first: FirstSource, named: bool, stopwatch: &Stopwatch, conditions: &Conditions) -> Outcome {
     let nothing_ran = Outcome::nothing_ran;
-    let mut all: Vec<PathBuf> = test.into_iter().cloned().collect();
-    all.extend(paths.iter().cloned());
-    let project = match project::load(&all, conditions.encoding) {
-        Ok(project) => project,
-        Err(failure) => return nothing_ran(Verdict::Unreadable(failure.refusal)),
-    };
     // A program that checks itself cannot do without the words for it.
-    let overrides = Overrides { extended: true, replacing: test.is_some(), counted: conditions.coverage.is_some(), ..conditions.overrides };
-    let build = project.compile(overrides, false);
-    if finding::has_errors(&build.findings) {
-        return nothing_ran(Verdict::DoesNotCompile(report::parts(&build.findings, &build.project.texts)));
-    }
+    let replacing = first == FirstSource::Replaces;
+    let overrides = Overrides { extended: true, replacing, counted: conditions.coverage.is_some(), ..conditions.overrides };
+    let build = match conditions.compile(project, overrides) {
+        Ok(build) => build,
+        Err(verdict) => return nothing_ran(verdict),
+    };
     if !named && !checks_itself(&build) {
         return nothing_ran(Verdict::NoTest);
     }
-    // Who counts statements needs the interpreter.
-    let engine = if conditions.coverage.is_some() { EngineArgument::Interpreter } else { conditions.engine };
-    let mut cpu = controller::load(&build, engine.factory(StatusBits::All), controller::settings(&build));
+    let mut cpu = Cpu::new(conditions.loaded(build.cpu, &build), controller::rack(&build), controller::settings(&build));
     let cycle = schedule::going_cycle(conditions.cycle, &build.project.settings);
     let limit = conditions.limit.unwrap_or(LIMIT);
-    let time_limit = TimeLimit::start(&cpu, conditions.timeout.saturating_sub(begun.elapsed()));
+    let time_limit = conditions.outside.stop_after(cpu.stop_request(), conditions.timeout.saturating_sub(stopwatch.elapsed()));
     let looking = looking(&build.compiled);
     let mut counting = conditions.coverage.is_some().then(|| Counting::new(&looking));
     cpu.restart_with(Restart::Warm, &mut || 0, tracer(&mut counting));
@@ -70,7 +64,7 @@ pub(crate) fn run(paths: &[PathBuf], test: Option<&PathBuf>, named: bool, condit
         if conditions.scans.is_some_and(|most| scans >= most) {
             break Some(format!("{scans} scans"));
         }
-        if begun.elapsed() >= conditions.timeout {
+        if stopwatch.elapsed() >= conditions.timeout {
             break Some(format!("{} ({scans} scans)", duration::show(conditions.timeout)));
         }
         let at = duration::micros(now);
@@ -89,7 +83,7 @@ pub(crate) fn run(paths: &[PathBuf], test: Option<&PathBuf>, named: bool, condit
     let outcome = Outcome::new(verdict, scans, simulated, After::of(&build, &cpu, conditions), conditions);
     if let Some((collector, counting)) = conditions.coverage.as_ref().zip(counting) {
         // The first file is the test, if there is one.
-        collector.add(&Arc::new(build), test.map(|_| FileId(0)), counting.counts);
+        collector.add(&Arc::new(build), replacing.then_some(FileId(0)), counting.counts);
     }
     outcome
 }
@@ -98,9 +92,8 @@ fn tracer<'a>(counting: &'a mut Option<Counting<'_>>) -> Option<&'a mut dyn Trac
     counting.as_mut().map(|counting| counting as &mut dyn Tracer)
 }
 
-/// Whether a program checks itself; one that cannot be read or compiled says so when it is run.
-pub(crate) fn is_test(paths: &[PathBuf], conditions: &Conditions) -> bool {
-    let Ok(project) = project::load(paths, conditions.encoding) else { return true };
+/// Whether a program checks itself; one that does not compile says so when it is run.
+pub fn is_test(project: Project, conditions: &Conditions) -> bool {
     let build = project.compile(Overrides { extended: true, ..conditions.overrides }, false);
     finding::has_errors(&build.findings) || checks_itself(&build)
 }

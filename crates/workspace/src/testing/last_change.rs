@@ -4,8 +4,9 @@ use sieben_model::address::Area;
 use sieben_sim::runner::Written;
 use sieben_sim::trace::Moment;
 use sieben_sim::trace::moment::scan_words;
-use sieben_workspace::controller;
-use sieben_workspace::project::Build;
+
+use crate::controller;
+use crate::project::Build;
 
 /// Characters of a statement that are shown.
 const STATEMENT_MAX: usize = 60;

@@ -1,12 +1,10 @@
 //! Unit tests: a test file with the program that it tests, compiled once, and each of its tests on a CPU of its own.
 
-use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use sieben_cpu::{Cpu, Loaded, Settings};
 use sieben_engine::{Interpreter, Tracer};
-use sieben_jit::StatusBits;
 use sieben_model::address::Operand;
 use sieben_model::cpu_type::CpuType;
 use sieben_model::source::Span;
@@ -15,20 +13,15 @@ use sieben_sim::names::Name;
 use sieben_sim::runner::{self, Limits, Watcher, Writers};
 use sieben_sim::timing_diagram;
 use sieben_sim::trace::{Keep, Memory, Origin, Recorder, Trace};
-use sieben_workspace::controller;
-use sieben_workspace::coverage::{Counting, Looking, looking};
-use sieben_workspace::duration;
-use sieben_workspace::finding;
-use sieben_workspace::project::{Build, Overrides};
-use sieben_workspace::schedule;
 
 use super::last_change;
-use super::time_limit::TimeLimit;
-use super::{After, Case, Conditions, Outcome, Verdict, Wrong, drawing};
-use crate::engines::EngineArgument;
-use crate::paths::shown;
-use crate::project;
-use crate::report;
+use super::{After, Case, Conditions, Outcome, Stopwatch, Verdict, Wrong, drawing};
+use crate::controller;
+use crate::coverage::{Counting, Looking, looking};
+use crate::duration;
+use crate::project::{Build, Overrides, Project};
+use crate::refusal::Refusal;
+use crate::schedule;
 
 /// Bytes of local data that the blocks of a test have beside those of the CPU type: what a test needs must not fail a program that
 /// fits.
@@ -55,17 +48,17 @@ struct Ready {
     cycle: Duration,
 }
 
-/// The tests of a file for a program. If it does not compile, one case says so.
-pub(super) fn cases(program: &[PathBuf], file: &Path, conditions: &Conditions) -> Vec<Case> {
-    let name = shown(file);
-    match compile(program, file, conditions) {
+/// The tests of a file, which is called so, with the program that it tests, and is the last source of the project. If it cannot be read or
+/// does not compile, one case says so.
+pub fn cases(name: &str, project: Result<Project, Refusal>, conditions: &Conditions) -> Vec<Case> {
+    match project.map_err(Verdict::Unreadable).and_then(|project| compile(project, conditions)) {
         Err(verdict) => {
             let verdict = std::sync::Mutex::new(Some(verdict));
             let run = move |_: &Conditions| {
                 let told = verdict.lock().unwrap_or_else(std::sync::PoisonError::into_inner).take();
                 Outcome::nothing_ran(told.unwrap_or(Verdict::NoTest))
             };
-            vec![Case { file: Some(name.clone()), ..Case::new(name, Box::new(run)) }]
+            vec![Case { file: Some(name.to_owned()), ..Case::new(name.to_owned(), Box::new(run)) }]
         }
         Ok(ready) => {
             let ready = Arc::new(ready);
@@ -74,32 +67,23 @@ pub(super) fn cases(program: &[PathBuf], file: &Path, conditions: &Conditions) -
                 let ready = Arc::clone(&ready);
                 let full = format!("{name}: {}", test.name);
                 let run = move |conditions: &Conditions| run(&ready, &test, conditions);
-                Case { file: Some(name.clone()), ..Case::new(full, Box::new(run)) }
+                Case { file: Some(name.to_owned()), ..Case::new(full, Box::new(run)) }
             };
             tests.into_iter().map(case).collect()
         }
     }
 }
 
-fn compile(program: &[PathBuf], file: &Path, conditions: &Conditions) -> Result<Ready, Verdict> {
-    let mut all = program.to_vec();
-    all.push(file.to_path_buf());
-    let project = project::load(&all, conditions.encoding).map_err(|failure| Verdict::Unreadable(failure.refusal))?;
+fn compile(project: Project, conditions: &Conditions) -> Result<Ready, Verdict> {
     let overrides = Overrides { tests: true, counted: conditions.coverage.is_some(), ..conditions.overrides };
-    let build = project.compile(overrides, false);
-    if finding::has_errors(&build.findings) {
-        return Err(Verdict::DoesNotCompile(report::parts(&build.findings, &build.project.texts)));
-    }
+    let build = conditions.compile(project, overrides)?;
     // A CPU type lives as long as the process; there are no more of them than test files.
     let cpu: &'static CpuType = Box::leak(Box::new(CpuType {
         local_data: build.cpu.local_data.saturating_add(LOCAL_DATA),
         nesting_depth: build.cpu.nesting_depth.saturating_add(NESTING),
         ..*build.cpu
     }));
-    let code = Arc::new(build.compiled.program.clone());
-    // Who counts statements needs the interpreter.
-    let engine = if conditions.coverage.is_some() { EngineArgument::Interpreter } else { conditions.engine };
-    let loaded = Loaded::new(cpu, code, |program, layout| engine.load(program, layout, StatusBits::All));
+    let loaded = conditions.loaded(cpu, &build);
     let settings = controller::settings(&build);
     let cycle = schedule::going_cycle(conditions.cycle, &build.project.settings);
     let looking = looking(&build.compiled);
@@ -108,14 +92,14 @@ fn compile(program: &[PathBuf], file: &Path, conditions: &Conditions) -> Result<
 
 /// Gives a test up when its real time is over, and counts its statements.
 struct Deadline<'a> {
-    begun: Instant,
+    stopwatch: Stopwatch,
     timeout: Duration,
     counting: Option<Counting<'a>>,
 }
 
 impl Watcher for Deadline<'_> {
     fn may_go_on(&mut self) -> bool {
-        self.begun.elapsed() < self.timeout
+        self.stopwatch.elapsed() < self.timeout
     }
     fn tracer(&mut self) -> Option<&mut dyn Tracer> {
         self.counting.as_mut().map(|counting| counting as &mut dyn Tracer)
@@ -165,9 +149,9 @@ fn run(ready: &Ready, test: &Test, conditions: &Conditions) -> Outcome {
     };
     let mut cpu = Cpu::new(ready.loaded.clone(), controller::rack(&ready.build), ready.settings.clone());
     let counting = conditions.coverage.is_some().then(|| Counting::new(&ready.looking));
-    let mut watcher = Deadline { begun: Instant::now(), timeout: conditions.timeout, counting };
+    let mut watcher = Deadline { stopwatch: Stopwatch::start(&conditions.outside), timeout: conditions.timeout, counting };
     let build = &ready.build;
-    let limit = TimeLimit::start(&cpu, conditions.timeout);
+    let limit = conditions.outside.stop_after(cpu.stop_request(), conditions.timeout);
     let mut report = runner::run(test, &build.compiled.tests, &build.project.texts.program, &mut cpu, limits, &mut watcher);
     if let Some(wrong) = report.wrong.as_mut().filter(|wrong| !wrong.endless && limit.has_ended_it()) {
         // The STOP was ours.
@@ -184,7 +168,7 @@ fn run(ready: &Ready, test: &Test, conditions: &Conditions) -> Outcome {
         Some(wrong) => {
             let mut told = failed(build, test, &wrong, conditions);
             // A test that has used up its time gets no second run.
-            let left = conditions.timeout.saturating_sub(watcher.begun.elapsed());
+            let left = conditions.timeout.saturating_sub(watcher.stopwatch.elapsed());
             if !left.is_zero() {
                 told.lines.extend(again(ready, test, &wrong, limits, conditions, left));
             }
@@ -208,10 +192,10 @@ fn again(ready: &Ready, test: &Test, wrong: &runner::Wrong, limits: Limits, cond
     let code = Arc::new(build.compiled.program.clone());
     let loaded = Loaded::new(ready.cpu, code, Interpreter::load);
     let mut cpu = Cpu::new(loaded, controller::rack(&ready.build), ready.settings.clone());
-    let deadline = Deadline { begun: Instant::now(), timeout, counting: None };
+    let deadline = Deadline { stopwatch: Stopwatch::start(&conditions.outside), timeout, counting: None };
     let names = signals.iter().map(name).collect();
     let trail = Recorder::new(names, Keep::Last(TRAIL), Origin::default(), Box::new(Memory::default())).ok();
-    let _limit = TimeLimit::start(&cpu, timeout);
+    let _limit = conditions.outside.stop_after(cpu.stop_request(), timeout);
     let mut watcher = Again { deadline, writers: Writers::new(&wrong.signals, &cpu), trail, scans: 0 };
     let sources = &build.project.texts.program;
     let again = runner::run(test, &build.compiled.tests, sources, &mut cpu, limits, &mut watcher);
@@ -251,7 +235,7 @@ fn name(signal: &Signal) -> Name {
     Name::at(signal.name.clone(), operand, Some(&signal.data_type))
 }
 
-/// The trail as text, and as a file if the user wants one.
+/// The trail as text, and for a file if the user wants one.
 fn diagram(trail: &Trace, test: &Test, conditions: &Conditions) -> Vec<String> {
     drawing::lines(trail, &test.name, &timing_diagram::Options::text(), conditions)
 }

@@ -6,28 +6,27 @@ use std::time::Duration;
 
 use serde_json::{Value, json};
 use sieben_model::visible;
-use sieben_workspace::Refusal;
-use sieben_workspace::duration;
-use sieben_workspace::failed::Failed;
-use sieben_workspace::xml::escaped;
 
 use super::{Finished, Verdict, Wrong};
-use crate::failure::Exit;
+use crate::duration;
+use crate::failed::Failed;
+use crate::refusal::Refusal;
+use crate::xml::escaped;
 
 /// How many tests ended how.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Tally {
+pub struct Tally {
     /// Those that passed.
-    pub(crate) passed: usize,
+    pub passed: usize,
     /// Those that found something wrong or did not end.
-    pub(crate) failed: usize,
+    pub failed: usize,
     /// Those that do not compile or cannot be read.
-    pub(crate) broken: usize,
+    pub broken: usize,
 }
 
 impl Tally {
     /// Counts.
-    pub(crate) fn of(finished: &[Finished]) -> Self {
+    pub fn of(finished: &[Finished]) -> Self {
         let mut tally = Self::default();
         for test in finished {
             *match test.outcome.verdict {
@@ -41,15 +40,28 @@ impl Tally {
     }
 }
 
-/// The exit code: the worst of all tests.
-pub(crate) fn exit(finished: &[Finished]) -> Exit {
-    let any = |wanted: fn(&Verdict) -> bool| finished.iter().any(|test| wanted(&test.outcome.verdict));
-    match () {
-        () if any(|verdict| matches!(verdict, Verdict::DoesNotCompile(_))) => Exit::DoesNotCompile,
-        () if any(|verdict| matches!(verdict, Verdict::Unreadable(_) | Verdict::Misread(_))) => Exit::Usage,
-        () if any(|verdict| matches!(verdict, Verdict::Failed(_))) => Exit::CheckFailed,
-        () => Exit::Success,
-    }
+/// How the tests ended, as one word: the worst of them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Worst {
+    /// All passed.
+    Passed,
+    /// One found something wrong, or did not end.
+    Failed,
+    /// The files of one cannot be read.
+    Unreadable,
+    /// One does not compile.
+    DoesNotCompile,
+}
+
+/// The worst of all tests.
+pub fn worst(finished: &[Finished]) -> Worst {
+    let one = |test: &Finished| match test.outcome.verdict {
+        Verdict::Passed | Verdict::NoTest => Worst::Passed,
+        Verdict::Failed(_) => Worst::Failed,
+        Verdict::Unreadable(_) | Verdict::Misread(_) => Worst::Unreadable,
+        Verdict::DoesNotCompile(_) => Worst::DoesNotCompile,
+    };
+    finished.iter().map(one).max().unwrap_or(Worst::Passed)
 }
 
 /// Why a test did not pass: a headline and the lines below it.
@@ -95,7 +107,7 @@ fn plural(count: u64, word: &str) -> String {
 }
 
 /// One line for each test, more for those that did not pass, and the count.
-pub(crate) fn text(finished: &[Finished]) -> String {
+pub fn text(finished: &[Finished]) -> String {
     let mut out = String::new();
     // What is wrong with a file that several programs share is printed once.
     let mut told = BTreeSet::new();
@@ -149,7 +161,7 @@ fn notes(out: &mut String, test: &Finished) {
 }
 
 /// The statements that failed in all tests, in one line.
-pub(crate) fn failed_statements(finished: &[Finished]) -> Option<String> {
+pub fn failed_statements(finished: &[Finished]) -> Option<String> {
     let all: Vec<&Failed> = finished.iter().filter_map(|test| test.outcome.after.failed.as_ref()).collect();
     let tests = plural(all.len() as u64, "test");
     Some(format!("{} (in {tests} of {})", Failed::of_all(all)?.line(), finished.len()))
@@ -170,7 +182,7 @@ fn untold<'a>(findings: &'a [String], told: &mut BTreeSet<&'a str>) -> Vec<Strin
 }
 
 /// What came of the programs of folders that hold several: `programs: 28 passed, 1 failed (ue3.awl), 1 without a test (ue9.awl)`.
-pub(crate) fn programs(finished: &[Finished], programs: &[&str]) -> String {
+pub fn programs(finished: &[Finished], programs: &[&str]) -> String {
     let of = |program: &str| finished.iter().filter(|test| test.program.as_deref() == Some(program)).collect::<Vec<_>>();
     let (mut passed, mut failed, mut none) = (0, Vec::new(), Vec::new());
     for program in programs {
@@ -192,14 +204,14 @@ pub(crate) fn programs(finished: &[Finished], programs: &[&str]) -> String {
 }
 
 /// `4 passed, 1 failed`.
-pub(crate) fn count(finished: &[Finished]) -> String {
+pub fn count(finished: &[Finished]) -> String {
     let Tally { passed, failed, broken } = Tally::of(finished);
     let broken = if broken > 0 { format!(", {broken} could not run") } else { String::new() };
     format!("{passed} passed, {failed} failed{broken}")
 }
 
 /// One object with all tests.
-pub(crate) fn to_json(finished: &[Finished], took: Duration) -> Value {
+pub fn to_json(finished: &[Finished], took: Duration) -> Value {
     let seconds = |duration: Duration| (duration.as_secs_f64() * 1e6).round() / 1e6;
     let tests: Vec<Value> = finished.iter().map(|test| one_to_json(test, seconds(test.took))).collect();
     let Tally { passed, failed, broken } = Tally::of(finished);
@@ -251,7 +263,7 @@ fn one_to_json(test: &Finished, seconds: f64) -> Value {
 }
 
 /// JUnit XML, as build servers read it.
-pub(crate) fn junit(finished: &[Finished], took: Duration) -> String {
+pub fn junit(finished: &[Finished], took: Duration) -> String {
     let Tally { passed: _, failed, broken } = Tally::of(finished);
     let mut out = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
     let _ = writeln!(
@@ -281,7 +293,7 @@ pub(crate) fn junit(finished: &[Finished], took: Duration) -> String {
 }
 
 /// The Test Anything Protocol, version 14.
-pub(crate) fn tap(finished: &[Finished]) -> String {
+pub fn tap(finished: &[Finished]) -> String {
     let mut out = format!("TAP version 14\n1..{}\n", finished.len());
     for (index, test) in finished.iter().enumerate() {
         let name = test.name.replace('\\', "\\\\").replace('#', "\\#");
@@ -340,9 +352,9 @@ mod tests {
              FAIL  c.awl: does not compile\n        one\n        two\u{1}\n\
              1 passed, 1 failed, 1 could not run\n"
         );
-        assert_eq!(exit(&finished()), Exit::DoesNotCompile);
-        assert_eq!(exit(&finished()[..2]), Exit::CheckFailed);
-        assert_eq!(exit(&finished()[..1]), Exit::Success);
+        assert_eq!(worst(&finished()), Worst::DoesNotCompile);
+        assert_eq!(worst(&finished()[..2]), Worst::Failed);
+        assert_eq!(worst(&finished()[..1]), Worst::Passed);
     }
 
     #[test]
