@@ -5,6 +5,8 @@ mod last_change;
 pub mod report;
 pub mod scenario;
 pub mod self_checking;
+#[cfg(test)]
+mod tests;
 pub mod unit;
 
 use std::path::PathBuf;
