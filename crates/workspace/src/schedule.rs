@@ -28,7 +28,7 @@ pub enum Schedule {
 
 impl Schedule {
     /// How many scans there are.
-    pub fn len(&self) -> u64 {
+    pub fn scans(&self) -> u64 {
         match self {
             Self::Cyclic { scans, .. } => *scans,
             Self::At(times) => times.len() as u64,

@@ -104,7 +104,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     // A watched run is interpreted, whatever the engine.
     cpu.restart_with(Restart::Warm, &mut || 0, check.as_mut().map(|check| check as &mut dyn Tracer));
     changes.begin(&mut cpu)?;
-    let count = schedule.len();
+    let count = schedule.scans();
     for scan in 0..count {
         let now_us = schedule.begin_us(scan);
         changes.apply(&mut cpu, now_us)?;

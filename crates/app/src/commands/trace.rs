@@ -210,7 +210,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
             let mut outcome = Outcome::default();
             cpu.restart(Restart::Warm);
             changes.begin(&mut cpu)?;
-            for scan in 0..schedule.len() {
+            for scan in 0..schedule.scans() {
                 let now_us = schedule.begin_us(scan);
                 changes.apply(&mut cpu, now_us)?;
                 cpu.scan(now_us);
