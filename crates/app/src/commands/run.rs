@@ -12,19 +12,21 @@ use serde_json::json;
 use sieben_cpu::{Cpu, DateAndTime, OperatingMode, Settings, StopRequest, TimeSource};
 use sieben_jit::StatusBits;
 use sieben_model::problems::Problem;
+use sieben_workspace::controller;
+use sieben_workspace::duration;
+use sieben_workspace::failed::{self, Failed};
 use sieben_workspace::gate::Clock;
+use sieben_workspace::project::Build;
 use sieben_workspace::status::Desk;
 use sieben_workspace::{Driver, Gate, Pace, Plant, Speed, Surroundings};
 
 use crate::arguments::{DiagnosticsArgument, FaultArguments, ProgramArguments, StrictArgument};
 use crate::duration::{cycle_argument, duration_argument};
 use crate::engines::EngineArgument;
-use crate::failed::{self, Failed};
 use crate::failure::{Exit, Failure};
-use crate::project::Build;
 use crate::retain::{RetainArguments, Retention, RunTime};
 use crate::watch::Watch;
-use crate::{controller, duration, output, watch};
+use crate::{output, watch};
 
 /// How often the status line is drawn.
 const STATUS_PERIOD: Duration = Duration::from_millis(100);
@@ -119,7 +121,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         date_and_time: if real { now() } else { DateAndTime::DEFAULT },
         ..controller::settings(&build)
     };
-    let mut cpu = controller::load(&build, arguments.engine, StatusBits::Needed, settings);
+    let mut cpu = controller::load(&build, arguments.engine.factory(StatusBits::Needed), settings);
     arguments.faults.inject(&mut cpu)?;
     let time = if arguments.speed == Speed::Max { RunTime::Virtual } else { RunTime::Real };
     let choice = arguments.retain.choice(&build.project, time, arguments.json);
