@@ -1,10 +1,11 @@
 //! Names and values on the command line: what `--set` and `--show` mean, in the vocabulary of scenarios.
 
-use serde_json::{Value as Json, json};
+use serde_json::Value as Json;
 use sieben_cpu::Cpu;
 use sieben_model::problems::Problem;
 use sieben_model::symbols::SymbolTable;
-use sieben_sim::names::{Name, NameError, Setting, Shown};
+use sieben_sim::names::{Name, NameError, Setting};
+pub(crate) use sieben_workspace::control::shown_json;
 
 use crate::failure::Failure;
 use crate::nearest::nearest;
@@ -92,18 +93,6 @@ pub(crate) fn text(name: &Name, cpu: &Cpu) -> String {
 /// The value of a name as JSON: bits and numbers as numbers, all else as strings; so are integers of 64 bits and what is infinite or no number.
 pub(crate) fn to_json(name: &Name, cpu: &Cpu) -> Json {
     name.read(cpu).map_or(Json::Null, |shown| shown_json(&shown))
-}
-
-/// A value as JSON.
-pub(crate) fn shown_json(shown: &Shown) -> Json {
-    match shown {
-        Shown::Bit(bit) => json!(u8::from(*bit)),
-        Shown::Number(number) => json!(number),
-        // The digits of the REAL itself, not those of its widening to 64 bits.
-        Shown::Real(number) if number.is_finite() => number.to_string().parse::<f64>().map_or(Json::Null, |number| json!(number)),
-        Shown::LongReal(number) if number.is_finite() => json!(number),
-        shown => json!(shown.to_string()),
-    }
 }
 
 #[cfg(test)]

@@ -7,7 +7,6 @@ use clap::{Args, ValueEnum};
 use sieben_lang::symbols::assignment;
 use sieben_workspace::Speed;
 
-use super::run::speed_argument;
 use crate::duration::duration_argument;
 use crate::failure::{Exit, Failure};
 use crate::screen::{self, CYCLE_US, Session, clock, thousands};
@@ -34,7 +33,7 @@ pub(crate) struct Arguments {
     #[arg(long = "for", value_name = "DURATION", id = "duration", allow_hyphen_values = true, value_parser = duration_argument)]
     time: Option<Duration>,
     /// How fast time goes: 1x, 10x, 0.5x, or max
-    #[arg(long, value_name = "FACTOR", allow_hyphen_values = true, value_parser = speed_argument)]
+    #[arg(long, value_name = "FACTOR", allow_hyphen_values = true, value_parser = Speed::parse)]
     speed: Option<Speed>,
 }
 

@@ -17,7 +17,7 @@ use sieben_sim::scenario::{Happened, Onlooker, Rules, Scenario, ScenarioError};
 use sieben_sim::trace::CHANNELS_MAX;
 use sieben_workspace::Speed;
 
-use super::run::{now, speed_argument};
+use super::run::now;
 use crate::arguments::{FaultArguments, ProgramArguments};
 use crate::engines::EngineArgument;
 use crate::failed::Heard;
@@ -67,7 +67,7 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     schedule: ScheduleArguments,
     /// 1x is real time, 10x ten times as fast, max as fast as it goes [default: 1x, max for a scenario]
-    #[arg(long, value_name = "FACTOR", allow_hyphen_values = true, value_parser = speed_argument)]
+    #[arg(long, value_name = "FACTOR", allow_hyphen_values = true, value_parser = Speed::parse)]
     speed: Option<Speed>,
     /// How the CPU starts: warm or cold; retentive data of other runs is not there
     #[arg(long, value_name = "KIND", default_value = "warm", value_parser = restart_argument)]

@@ -57,7 +57,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "DURATION", allow_hyphen_values = true, value_parser = cycle_argument)]
     cycle: Option<Duration>,
     /// 1x is real time, 10x ten times as fast, max as fast as it goes in virtual time
-    #[arg(long, value_name = "FACTOR", default_value = "1x", allow_hyphen_values = true, value_parser = speed_argument)]
+    #[arg(long, value_name = "FACTOR", default_value = "1x", allow_hyphen_values = true, value_parser = Speed::parse)]
     speed: Speed,
     /// Stop after this time of the CPU's clock
     #[arg(long = "for", value_name = "DURATION", id = "duration", allow_hyphen_values = true, value_parser = duration_argument)]
@@ -82,18 +82,6 @@ pub(crate) struct Arguments {
     /// Print the result as one JSON object
     #[arg(long)]
     json: bool,
-}
-
-/// Reads a speed argument.
-pub(crate) fn speed_argument(text: &str) -> Result<Speed, String> {
-    if text.eq_ignore_ascii_case("max") {
-        return Ok(Speed::Max);
-    }
-    let number = text.strip_suffix(['x', 'X']).unwrap_or(text);
-    match number.parse::<f64>() {
-        Ok(factor) if (0.001..=10_000.0).contains(&factor) => Ok(Speed::Factor(factor)),
-        _ => Err(format!("`{text}` is no speed; write `1x`, `0.5x`, `10x` (0.001x to 10000x) or `max`")),
-    }
 }
 
 /// Runs the project.
@@ -355,20 +343,5 @@ fn report(
             }
             Ok(if arguments.strict.is_strict() && failed.is_some() { Exit::CheckFailed } else { Exit::Success })
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn speeds_are_read() {
-        for (text, expected) in
-            [("1x", Some(1.0)), ("0.5x", Some(0.5)), ("10", Some(10.0)), ("0x", None), ("-1x", None), ("nanx", None), ("fast", None)]
-        {
-            assert_eq!(speed_argument(text).ok(), expected.map(Speed::Factor), "{text}");
-        }
-        assert_eq!(speed_argument("MAX"), Ok(Speed::Max));
     }
 }
