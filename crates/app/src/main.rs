@@ -3,6 +3,7 @@
 
 mod arguments;
 mod commands;
+mod control;
 mod controller;
 mod diagrams;
 mod document;
