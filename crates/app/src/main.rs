@@ -22,6 +22,7 @@ mod names;
 mod nearest;
 mod online_change;
 mod output;
+mod palette;
 mod panics;
 mod paths;
 mod places;
@@ -37,6 +38,7 @@ mod stepping;
 mod symbol_files;
 mod terminal;
 mod testing;
+mod top;
 mod tracing;
 mod watch;
 
@@ -86,6 +88,8 @@ enum Verb {
     Demo(commands::demo::Arguments),
     /// Run a project
     Run(commands::run::Arguments),
+    /// Watch a program that runs, and start, stop or pause it
+    Top(commands::top::Arguments),
     /// Report everything that is wrong with a program
     Check(commands::check::Arguments),
     /// Run a few scans in virtual time and print values
@@ -139,6 +143,7 @@ fn run(line: CommandLine) -> Exit {
         None => output::print(&CommandLine::command().render_help().to_string()).map(|()| Exit::Success),
         Some(Verb::Demo(arguments)) => commands::demo::run(&arguments),
         Some(Verb::Run(arguments)) => commands::run::run(&arguments),
+        Some(Verb::Top(arguments)) => commands::top::run(&arguments),
         Some(Verb::Check(arguments)) => commands::check::run(&arguments),
         Some(Verb::Exec(arguments)) => commands::exec::run(&arguments),
         Some(Verb::Step(arguments)) => commands::step::run(&arguments),
