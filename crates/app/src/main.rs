@@ -70,6 +70,7 @@ Examples:\n  \
   sieben new pump                             a project that runs and checks at once\n  \
   sieben check pump                           all errors and warnings\n  \
   sieben run pump --for 10s                   run it\n  \
+  sieben top pump                             watch it run, from another terminal\n  \
   sieben exec add.awl --set MW0=2 --show MW4  a few scans, then print values\n  \
   sieben step lamp.awl --set I0.0=1           why is it 0? Statement by statement, and back\n  \
   sieben trace lamp.awl --at 1s I0.0=1        what happens when, as a timing diagram\n  \

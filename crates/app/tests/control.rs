@@ -100,8 +100,8 @@ impl Running {
         Self::in_folder(folder, &arguments, &folder.path().join(".sieben"))
     }
 
-    fn asker(&self) -> Asker {
-        Asker::at(&self.socket)
+    fn client(&self) -> Client {
+        Client::at(&self.socket)
     }
 
     /// Ends the run as Ctrl-C does; code and messages.
@@ -126,9 +126,9 @@ fn signal(child: &Child, signal: &str) {
 }
 
 /// Somebody who asks a run.
-struct Asker(BufReader<UnixStream>);
+struct Client(BufReader<UnixStream>);
 
-impl Asker {
+impl Client {
     fn at(socket: &Path) -> Self {
         let stream = UnixStream::connect(socket).expect("the run answers");
         stream.set_read_timeout(Some(DEADLINE)).expect("a timeout");
@@ -174,9 +174,9 @@ fn every_verb_has_its_answer() {
     let mut run = Running::of_project(&folder, &[]);
     let mode = fs::metadata(&run.socket).expect("the socket is there").permissions().mode();
     assert_eq!(mode & 0o777, 0o600, "only its owner can connect");
-    let mut asker = run.asker();
+    let mut client = run.client();
 
-    let state = asker.ask(json!({ "id": 1, "verb": "state" }));
+    let state = client.ask(json!({ "id": 1, "verb": "state" }));
     assert_eq!((&state["id"], &state["project"], &state["cpu"]), (&json!(1), &json!("pump"), &json!("315-2PN/DP")));
     assert_eq!(
         (&state["mode"], &state["stop"], &state["speed"], &state["paused"]),
@@ -186,8 +186,8 @@ fn every_verb_has_its_answer() {
 
     // What is read belongs to one scan.
     for _ in 0..50 {
-        let read =
-            asker.ask(json!({ "id": "x", "verb": "read", "items": ["DB1.n", "MW20", "DB1.level", "DB1.text", "I0.0", "XW1", "DB9.DBW0"] }));
+        let read = client
+            .ask(json!({ "id": "x", "verb": "read", "items": ["DB1.n", "MW20", "DB1.level", "DB1.text", "I0.0", "XW1", "DB9.DBW0"] }));
         let items = read["items"].as_array().expect("items");
         assert_eq!(read["id"], "x");
         assert_eq!(items[1]["value"], json!(format!("16#{:04X}", items[0]["value"].as_u64().expect("an INT"))), "{read}");
@@ -196,90 +196,90 @@ fn every_verb_has_its_answer() {
         assert!(items[5].get("value").is_none(), "{read}");
     }
 
-    let written = asker.ask(json!({ "verb": "write", "values": { "DB1.level": "1.5", "DB1.text": "'abc'", "I0.0": true, "MW30": 77 } }));
+    let written = client.ask(json!({ "verb": "write", "values": { "DB1.level": "1.5", "DB1.text": "'abc'", "I0.0": true, "MW30": 77 } }));
     assert_eq!(written["done"], 4, "{written}");
     assert!(written["scan"].as_u64().is_some(), "{written}");
-    assert_eq!((asker.value("DB1.level"), asker.value("DB1.text"), asker.value("MW30")), (json!(1.5), json!("'abc'"), json!("16#004D")));
-    until("the output follows the input", || (asker.value("Q0.0") == 1).then_some(()));
+    assert_eq!((client.value("DB1.level"), client.value("DB1.text"), client.value("MW30")), (json!(1.5), json!("'abc'"), json!("16#004D")));
+    until("the output follows the input", || (client.value("Q0.0") == 1).then_some(()));
     // One wrong name or value keeps all of it back, whether it is the text or the CPU that refuses it.
     for (wrong, code) in [("XW1", "P7003"), ("DB9.DBW0", "P7003"), ("M 0.0", "P7004"), ("C 1", "P7004")] {
-        let refused = asker.ask(json!({ "verb": "write", "values": { "MW30": 5, wrong: if wrong == "C 1" { "'abc'" } else { "7" } } }));
+        let refused = client.ask(json!({ "verb": "write", "values": { "MW30": 5, wrong: if wrong == "C 1" { "'abc'" } else { "7" } } }));
         assert_eq!(
             (&refused["scan"], &refused["done"], &refused["items"][1]["error"]["code"]),
             (&Value::Null, &json!(0), &json!(code)),
             "{refused}"
         );
-        assert_eq!((&refused["items"][0]["done"], asker.value("MW30")), (&json!(false), json!("16#004D")), "{refused}");
+        assert_eq!((&refused["items"][0]["done"], client.value("MW30")), (&json!(false), json!("16#004D")), "{refused}");
     }
 
-    let forced = asker.ask(json!({ "verb": "force", "values": { "Q0.3": 1, "QB2": "16#A5", "MW30": 1 } }));
+    let forced = client.ask(json!({ "verb": "force", "values": { "Q0.3": 1, "QB2": "16#A5", "MW30": 1 } }));
     assert_eq!((&forced["done"], &forced["items"][2]["error"]["code"]), (&json!(2), &json!("P7003")), "{forced}");
-    let state = asker.ask(json!({ "verb": "state" }));
+    let state = client.ask(json!({ "verb": "state" }));
     assert_eq!(state["forced"], json!([{ "name": "Q 0.3", "shown": "1" }, { "name": "QB 2", "shown": "16#A5" }]));
-    until("it is put out", || (asker.value("QB2") == "16#A5").then_some(()));
-    let unforced = asker.ask(json!({ "verb": "unforce", "items": ["Q0.3", "Q0.4", "XX"] }));
+    until("it is put out", || (client.value("QB2") == "16#A5").then_some(()));
+    let unforced = client.ask(json!({ "verb": "unforce", "items": ["Q0.3", "Q0.4", "XX"] }));
     assert_eq!((&unforced["done"], &unforced["items"][1]["error"]["code"]), (&json!(1), &json!("P7003")), "{unforced}");
-    asker.ask(json!({ "verb": "unforce_all" }));
-    assert_eq!(asker.ask(json!({ "verb": "state" }))["forced_count"], 0);
+    client.ask(json!({ "verb": "unforce_all" }));
+    assert_eq!(client.ask(json!({ "verb": "state" }))["forced_count"], 0);
 
-    let diagnostics = asker.ask(json!({ "verb": "diagnostics" }));
+    let diagnostics = client.ask(json!({ "verb": "diagnostics" }));
     let newest = diagnostics["newest"].as_u64().expect("a number");
     assert_eq!(diagnostics["entries"].as_array().map(Vec::len), usize::try_from(newest).ok());
-    assert_eq!(asker.ask(json!({ "verb": "diagnostics", "after": newest }))["entries"], json!([]));
+    assert_eq!(client.ask(json!({ "verb": "diagnostics", "after": newest }))["entries"], json!([]));
 
-    let blocks = asker.ask(json!({ "verb": "blocks" }));
+    let blocks = client.ask(json!({ "verb": "blocks" }));
     let names: Vec<&Value> = blocks["blocks"].as_array().expect("blocks").iter().map(|block| &block["block"]).collect();
     assert_eq!((&blocks["total"], &blocks["next"]), (&json!(4), &Value::Null));
     assert!(["OB 1", "FC 1", "FC 2", "DB 1"].iter().all(|block| names.contains(&&json!(block))), "{blocks}");
-    assert_eq!(asker.ask(json!({ "verb": "blocks", "from": 3 }))["blocks"].as_array().map(Vec::len), Some(1));
+    assert_eq!(client.ask(json!({ "verb": "blocks", "from": 3 }))["blocks"].as_array().map(Vec::len), Some(1));
 
-    let status = asker.ask(json!({ "verb": "status", "block": "FC 1" }));
+    let status = client.ask(json!({ "verb": "status", "block": "FC 1" }));
     let statements = status["statements"].as_array().expect("statements");
     assert_eq!((&status["block"], &status["same"], statements.len()), (&json!("FC 1"), &json!(true), 5), "{status}");
     assert_eq!(
         (&statements[0]["line"], &statements[0]["times"], &statements[1]["after"]["accu1"]),
         (&json!(12), &json!(1), &json!("16#00000001"))
     );
-    let newer = asker.ask(json!({ "verb": "status", "block": "FC1", "after": status["sample"], "from": 2 }));
+    let newer = client.ask(json!({ "verb": "status", "block": "FC1", "after": status["sample"], "from": 2 }));
     assert!(newer["sample"].as_u64() > status["sample"].as_u64(), "{newer}");
     assert_eq!(newer["statements"][0]["statement"], 2);
     for block in ["FC 9", "DB 1", "nothing"] {
-        assert_eq!(asker.ask(json!({ "verb": "status", "block": block }))["error"]["code"], "P7095", "{block}");
+        assert_eq!(client.ask(json!({ "verb": "status", "block": block }))["error"]["code"], "P7095", "{block}");
     }
 
-    let paused = asker.ask(json!({ "verb": "time", "time": "pause" }));
+    let paused = client.ask(json!({ "verb": "time", "time": "pause" }));
     assert_eq!(paused["paused"], true);
-    let stepped = asker.ask(json!({ "verb": "time", "time": "step", "scans": 3 }));
+    let stepped = client.ask(json!({ "verb": "time", "time": "step", "scans": 3 }));
     assert_eq!(stepped["scans"].as_u64(), paused["scans"].as_u64().map(|scans| scans + 3), "{stepped}");
     assert_eq!(stepped["scans_left"], 0);
-    assert_eq!(asker.ask(json!({ "verb": "status", "block": "OB 1" }))["error"]["code"], "P7095", "no scan, no status");
-    assert_eq!(asker.ask(json!({ "verb": "time", "time": "speed", "speed": "max" }))["speed"], "max");
-    assert_eq!(asker.ask(json!({ "verb": "time", "time": "go" }))["paused"], false);
-    let before = asker.ask(json!({ "verb": "state" }))["scans"].as_u64();
-    until("it is fast", || (asker.ask(json!({ "verb": "state" }))["scans"].as_u64() > before.map(|scans| scans + 500)).then_some(()));
-    assert_eq!(asker.ask(json!({ "verb": "time", "time": "speed", "speed": "1x" }))["speed"], "1x");
+    assert_eq!(client.ask(json!({ "verb": "status", "block": "OB 1" }))["error"]["code"], "P7095", "no scan, no status");
+    assert_eq!(client.ask(json!({ "verb": "time", "time": "speed", "speed": "max" }))["speed"], "max");
+    assert_eq!(client.ask(json!({ "verb": "time", "time": "go" }))["paused"], false);
+    let before = client.ask(json!({ "verb": "state" }))["scans"].as_u64();
+    until("it is fast", || (client.ask(json!({ "verb": "state" }))["scans"].as_u64() > before.map(|scans| scans + 500)).then_some(()));
+    assert_eq!(client.ask(json!({ "verb": "time", "time": "speed", "speed": "1x" }))["speed"], "1x");
 
-    let plants = asker.ask(json!({ "verb": "faults" }));
+    let plants = client.ask(json!({ "verb": "faults" }));
     assert_eq!((&plants["plants"][0]["module"], &plants["plants"][0]["faults"]), (&json!("tank"), &json!([])), "{plants}");
     assert!(plants["plants"][0]["signals"].as_array().is_some_and(|signals| signals.contains(&json!("level"))), "{plants}");
-    let injected = asker.ask(json!({ "verb": "faults", "inject": "tank.level stuck=5" }));
+    let injected = client.ask(json!({ "verb": "faults", "inject": "tank.level stuck=5" }));
     assert_eq!(injected["plants"][0]["faults"], json!(["tank.level stuck=5"]));
-    assert_eq!(asker.ask(json!({ "verb": "faults", "inject": "tank.nothing stuck" }))["error"]["code"], "P6272");
-    assert_eq!(asker.ask(json!({ "verb": "faults", "mend": "tank.level" }))["plants"][0]["faults"], json!([]));
-    assert_eq!(asker.ask(json!({ "verb": "faults", "mend": "tank.level" }))["error"]["code"], "P6272");
+    assert_eq!(client.ask(json!({ "verb": "faults", "inject": "tank.nothing stuck" }))["error"]["code"], "P6272");
+    assert_eq!(client.ask(json!({ "verb": "faults", "mend": "tank.level" }))["plants"][0]["faults"], json!([]));
+    assert_eq!(client.ask(json!({ "verb": "faults", "mend": "tank.level" }))["error"]["code"], "P6272");
 
     for (mode, answer) in [("run", "P7093"), ("mres", "P7093")] {
-        assert_eq!(asker.ask(json!({ "verb": "mode", "mode": mode }))["error"]["code"], answer, "in RUN");
+        assert_eq!(client.ask(json!({ "verb": "mode", "mode": mode }))["error"]["code"], answer, "in RUN");
     }
-    assert_eq!(asker.ask(json!({ "verb": "mode", "mode": "stop" }))["mode"], "STOP");
-    let state = asker.ask(json!({ "verb": "state" }));
+    assert_eq!(client.ask(json!({ "verb": "mode", "mode": "stop" }))["mode"], "STOP");
+    let state = client.ask(json!({ "verb": "state" }));
     assert_eq!((&state["mode"], &state["stop"]["event"]), (&json!("STOP"), &json!("16#4304")));
-    assert_eq!(asker.ask(json!({ "verb": "mode", "mode": "mres" }))["mode"], "STOP");
-    assert_eq!(asker.value("DB1.n"), json!(0), "all memory is as after loading");
+    assert_eq!(client.ask(json!({ "verb": "mode", "mode": "mres" }))["mode"], "STOP");
+    assert_eq!(client.value("DB1.n"), json!(0), "all memory is as after loading");
     for restart in ["warm", "cold", "hot"] {
-        assert_eq!(asker.ask(json!({ "verb": "mode", "mode": "run", "restart": restart }))["mode"], "RUN", "{restart}");
-        until("it scans", || (asker.value("DB1.n") != 0).then_some(()));
-        asker.ask(json!({ "verb": "mode", "mode": "stop" }));
+        assert_eq!(client.ask(json!({ "verb": "mode", "mode": "run", "restart": restart }))["mode"], "RUN", "{restart}");
+        until("it scans", || (client.value("DB1.n") != 0).then_some(()));
+        client.ask(json!({ "verb": "mode", "mode": "stop" }));
     }
     // Whoever has stopped the CPU may end the run: that is no failure of the program.
     let (code, messages) = run.stop();
@@ -292,15 +292,15 @@ fn a_stop_of_the_program_ends_the_run_and_tells_who_asks() {
     for speed in ["1x", "max"] {
         let folder = project();
         let mut run = Running::of_project(&folder, &["--speed", speed, "--retain", "none"]);
-        let (mut asker, mut other) = (run.asker(), run.asker());
+        let (mut client, mut other) = (run.client(), run.client());
         for _ in 0..3 {
-            assert_eq!(asker.ask(json!({ "verb": "mode", "mode": "stop" }))["mode"], "STOP");
-            let scans = asker.ask(json!({ "verb": "state" }))["scans"].clone();
-            assert_eq!(asker.ask(json!({ "verb": "state" }))["scans"], scans, "nothing is scanned");
+            assert_eq!(client.ask(json!({ "verb": "mode", "mode": "stop" }))["mode"], "STOP");
+            let scans = client.ask(json!({ "verb": "state" }))["scans"].clone();
+            assert_eq!(client.ask(json!({ "verb": "state" }))["scans"], scans, "nothing is scanned");
             assert_eq!(other.ask(json!({ "verb": "mode", "mode": "run" }))["mode"], "RUN");
         }
         // Now the program stops itself.
-        asker.try_ask(json!({ "verb": "write", "values": { "M50.0": 1 } }));
+        client.try_ask(json!({ "verb": "write", "values": { "M50.0": 1 } }));
         while let Some(answer) = other.try_ask(json!({ "verb": "state" })) {
             assert!(answer.get("error").is_none_or(|error| error["code"] == "P7094"), "{answer}");
         }
@@ -320,7 +320,7 @@ fn of_two_runs_the_first_one_answers() {
     assert_eq!(messages.matches("Another run of this program answers").count(), 1, "{messages}");
     let (code, result, messages) = finished(&folder, &["run", "main.awl", "--for", "50ms", "--json"]);
     assert_eq!((code, messages.as_str()), (Some(0), ""), "{result}");
-    assert_eq!(first.asker().ask(json!({ "verb": "state" }))["mode"], "RUN", "the socket is still there");
+    assert_eq!(first.client().ask(json!({ "verb": "state" }))["mode"], "RUN", "the socket is still there");
     // Another program has a socket of its own.
     folder.write("other.awl", PROGRAM.as_bytes());
     let (_, _, messages) = finished(&folder, &["run", "other.awl", "--for", "50ms"]);
@@ -342,7 +342,7 @@ fn the_socket_of_a_killed_run_is_replaced() {
     let (code, _, messages) = finished(&folder, &["top"]);
     assert!(code == Some(2) && messages.contains("P7090"), "{messages}");
     let mut run = Running::of_project(&folder, &["--retain", "none"]);
-    assert_eq!(run.asker().ask(json!({ "verb": "state" }))["mode"], "RUN");
+    assert_eq!(run.client().ask(json!({ "verb": "state" }))["mode"], "RUN");
     assert_eq!(run.stop().0, Some(0));
     assert!(!run.socket.exists());
     // What is no socket stays.
@@ -395,29 +395,29 @@ fn a_folder_that_others_may_use_is_not_taken() {
 fn what_comes_in_as_garbage_goes_out_as_an_error() {
     let folder = project();
     let run = Running::of_project(&folder, &[]);
-    let mut asker = run.asker();
+    let mut client = run.client();
     for line in ["garbage", "{}", "[]", "\u{0}", "{\"verb\":\"read\",\"items\":5}", &"[".repeat(60_000), "{\"id\":{},\"verb\":\"state\"}"] {
-        asker.send(line);
-        assert_eq!(asker.receive().expect("an answer")["error"]["code"], "P7091", "{line:.40}");
+        client.send(line);
+        assert_eq!(client.receive().expect("an answer")["error"]["code"], "P7091", "{line:.40}");
     }
     let million = format!("{{\"verb\":\"read\",\"items\":[{}]}}", vec!["\"MW0\""; 1_000_000].join(","));
     let many = format!("{{\"id\":5,\"verb\":\"read\",\"items\":[{}]}}", vec!["\"MW0\""; 1_001].join(","));
     let large = "{\"verb\":\"read\",\"items\":[\"P#M 0.0 BYTE 65535\",\"P#I 0.0 BYTE 65535\"]}";
     for line in [million.as_str(), &many, large] {
-        asker.send(line);
-        assert_eq!(asker.receive().expect("an answer")["error"]["code"], "P7092", "{line:.60}");
+        client.send(line);
+        assert_eq!(client.receive().expect("an answer")["error"]["code"], "P7092", "{line:.60}");
     }
     // Bytes that are no text, and half a line of somebody who dies.
-    asker.0.get_mut().write_all(b"\xff\xfe\n").expect("the run reads");
-    assert_eq!(asker.receive().expect("an answer")["error"]["code"], "P7091");
+    client.0.get_mut().write_all(b"\xff\xfe\n").expect("the run reads");
+    assert_eq!(client.receive().expect("an answer")["error"]["code"], "P7091");
     let mut dies = UnixStream::connect(&run.socket).expect("the run answers");
     dies.write_all(b"{\"verb\":\"write\",\"values\":{\"MW30\":").expect("the run reads");
     drop(dies);
     let most = format!("{{\"verb\":\"read\",\"items\":[{}]}}", vec!["\"MW0\""; 1_000].join(","));
-    asker.send(&most);
-    assert_eq!(asker.receive().expect("an answer")["items"].as_array().map(Vec::len), Some(1_000));
-    assert_eq!(asker.ask(json!({ "verb": "state" }))["mode"], "RUN");
-    until("those who are gone are not counted", || (asker.ask(json!({ "verb": "state" }))["connections"] == 1).then_some(()));
+    client.send(&most);
+    assert_eq!(client.receive().expect("an answer")["items"].as_array().map(Vec::len), Some(1_000));
+    assert_eq!(client.ask(json!({ "verb": "state" }))["mode"], "RUN");
+    until("those who are gone are not counted", || (client.ask(json!({ "verb": "state" }))["connections"] == 1).then_some(()));
 }
 
 #[test]
@@ -436,32 +436,32 @@ fn who_never_reads_is_left_and_holds_up_nothing() {
         }
         (full > 50).then_some(())
     });
-    let mut asker = run.asker();
+    let mut client = run.client();
     for _ in 0..20 {
-        let before = asker.ask(json!({ "verb": "state" }))["scans"].as_u64();
-        until("the scans go on", || (asker.ask(json!({ "verb": "state" }))["scans"].as_u64() > before).then_some(()));
+        let before = client.ask(json!({ "verb": "state" }))["scans"].as_u64();
+        until("the scans go on", || (client.ask(json!({ "verb": "state" }))["scans"].as_u64() > before).then_some(()));
     }
-    until("it is left", || (asker.ask(json!({ "verb": "state" }))["connections"] == 1).then_some(()));
+    until("it is left", || (client.ask(json!({ "verb": "state" }))["connections"] == 1).then_some(()));
 }
 
 #[test]
 fn the_seventeenth_is_refused() {
     let folder = project();
     let run = Running::of_project(&folder, &[]);
-    until("whoever looked for the socket is gone", || (run.asker().ask(json!({ "verb": "state" }))["connections"] == 1).then_some(()));
-    let mut first = run.asker();
+    until("whoever looked for the socket is gone", || (run.client().ask(json!({ "verb": "state" }))["connections"] == 1).then_some(()));
+    let mut first = run.client();
     until("nobody else is there", || (first.ask(json!({ "verb": "state" }))["connections"] == 1).then_some(()));
-    let mut askers: Vec<Asker> = (1..16).map(|_| run.asker()).collect();
-    for asker in &mut askers {
-        assert_eq!(asker.ask(json!({ "verb": "state" }))["mode"], "RUN");
+    let mut clients: Vec<Client> = (1..16).map(|_| run.client()).collect();
+    for client in &mut clients {
+        assert_eq!(client.ask(json!({ "verb": "state" }))["mode"], "RUN");
     }
     assert_eq!(first.ask(json!({ "verb": "state" }))["connections"], 16);
-    let mut refused = run.asker();
+    let mut refused = run.client();
     assert_eq!(refused.receive().expect("a line")["error"]["code"], "P7092");
     assert!(refused.receive().is_none(), "and it is over");
-    askers.pop();
+    clients.pop();
     until("another one may come", || {
-        let mut next = run.asker();
+        let mut next = run.client();
         next.try_ask(json!({ "verb": "state" })).is_some_and(|answer| answer["mode"] == "RUN").then_some(())
     });
 }
@@ -473,24 +473,24 @@ fn an_online_change_gives_names_their_new_meaning() {
     let body = "L DB1.n; L 1; +I; T DB1.n; T MW 10;";
     let folder = Folder::with(&[("sieben.toml", "[project]\nname = \"change\"\n"), ("main.awl", &counting(body, &db("n : INT;")))]);
     let run = Running::of_project(&folder, &["--watch", "--accept-losses"]);
-    let mut asker = run.asker();
-    let same = |asker: &mut Asker| {
-        let read = asker.ask(json!({ "verb": "read", "items": ["DB1.n", "MW10"] }));
+    let mut client = run.client();
+    let same = |client: &mut Client| {
+        let read = client.ask(json!({ "verb": "read", "items": ["DB1.n", "MW10"] }));
         let (n, mirror) = (read["items"][0]["value"].as_u64(), read["items"][1]["value"].as_str().map(str::to_owned));
         assert_eq!(n.map(|n| format!("16#{n:04X}")), mirror, "{read}");
     };
-    same(&mut asker);
+    same(&mut client);
     folder.write("main.awl", counting(body, &db("more : DINT; n : INT;")).as_bytes());
-    until("the change has come", || (asker.value("DB1.more") == 0).then_some(()));
-    same(&mut asker);
+    until("the change has come", || (client.value("DB1.more") == 0).then_some(()));
+    same(&mut client);
     // The data block goes: its items are an error, the others are not.
     folder.write("main.awl", counting("L 1; T MW 10;", "").as_bytes());
-    until("the data block is gone", || (asker.value("DB1.n") == "P7003").then_some(()));
-    let read = asker.ask(json!({ "verb": "read", "items": ["DB1.DBW0", "MW10"] }));
+    until("the data block is gone", || (client.value("DB1.n") == "P7003").then_some(()));
+    let read = client.ask(json!({ "verb": "read", "items": ["DB1.DBW0", "MW10"] }));
     assert_eq!((&read["items"][0]["error"]["code"], &read["items"][1]["value"]), (&json!("P7003"), &json!("16#0001")), "{read}");
-    let written = asker.ask(json!({ "verb": "write", "values": { "MW12": 5, "DB1.DBW0": 5 } }));
-    assert_eq!((&written["scan"], asker.value("MW12")), (&Value::Null, json!("16#0000")), "{written}");
-    assert_eq!(asker.ask(json!({ "verb": "blocks" }))["total"], 1);
+    let written = client.ask(json!({ "verb": "write", "values": { "MW12": 5, "DB1.DBW0": 5 } }));
+    assert_eq!((&written["scan"], client.value("MW12")), (&Value::Null, json!("16#0000")), "{written}");
+    assert_eq!(client.ask(json!({ "verb": "blocks" }))["total"], 1);
 }
 
 #[test]
@@ -505,8 +505,8 @@ fn top_looks_once_where_no_terminal_is() {
     assert_eq!((code, &serde_json::from_str::<Value>(&messages).expect("JSON")[0]["code"]), (Some(2), &json!("P7090")));
 
     let mut run = Running::of_project(&folder, &[]);
-    run.asker().ask(json!({ "verb": "write", "values": { "MW30": "W#16#ABCD", "I0.0": 1 } }));
-    until("the output follows the input", || (run.asker().value("Q0.0") == 1).then_some(()));
+    run.client().ask(json!({ "verb": "write", "values": { "MW30": "W#16#ABCD", "I0.0": 1 } }));
+    until("the output follows the input", || (run.client().value("Q0.0") == 1).then_some(()));
     let (code, text, messages) = finished(&folder, &["top", "--show", "MW30,DB1.text", "--show", "I0.0"]);
     assert_eq!((code, messages.as_str()), (Some(0), ""));
     for part in [
@@ -527,7 +527,7 @@ fn top_looks_once_where_no_terminal_is() {
     assert_eq!(look["block_count"], 4);
     let (code, _, messages) = finished(&folder, &["top", "--show", "XW1"]);
     assert!(code == Some(2) && messages.contains("P7003"), "{messages}");
-    run.asker().ask(json!({ "verb": "mode", "mode": "stop" }));
+    run.client().ask(json!({ "verb": "mode", "mode": "stop" }));
     let (_, text, _) = finished(&folder, &["top", "."]);
     assert!(text.contains("STOP, 1x\n  STOP by a programming device"), "{text}");
     assert_eq!(run.stop().0, Some(0));

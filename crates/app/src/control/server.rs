@@ -1,4 +1,4 @@
-//! Serves the control socket of a run: one thread that accepts, one for each asker, all of which end with the run.
+//! Serves the control socket of a run: one thread that accepts, one for each client, all of which end with the run.
 
 use std::io::{self, ErrorKind, Read, Write};
 use std::os::unix::net::{UnixListener, UnixStream};
@@ -16,9 +16,9 @@ use sieben_workspace::status::Desk;
 
 use super::place::{self, Bound, NoSocket, Place};
 
-/// Askers at once.
+/// Clients at once.
 const CONNECTIONS_MAX: usize = 16;
-/// How long an asker may leave its answers unread.
+/// How long a client may leave its answers unread.
 const UNREAD_MAX: Duration = Duration::from_secs(10);
 /// How long one attempt to write waits before it is looked whether the run is over.
 const WRITE_WAIT: Duration = Duration::from_millis(200);
@@ -31,7 +31,7 @@ struct Shared {
     desk: Arc<Desk>,
     facts: Arc<CurrentFacts>,
     /// Those who are connected, by number, so that the end of the run wakes their threads.
-    askers: Mutex<Vec<(u64, UnixStream)>>,
+    clients: Mutex<Vec<(u64, UnixStream)>>,
 }
 
 /// The control socket of a run, served until this is dropped.
@@ -57,7 +57,7 @@ impl Server {
     ) -> Result<Self, String> {
         let bound = bind(&place::places(paths, home))?;
         let shared =
-            Arc::new(Shared { gate: Arc::clone(gate), desk: Arc::clone(desk), facts: Arc::clone(facts), askers: Mutex::default() });
+            Arc::new(Shared { gate: Arc::clone(gate), desk: Arc::clone(desk), facts: Arc::clone(facts), clients: Mutex::default() });
         Self::threads(shared, bound).map_err(|error| without(&error.to_string()))
     }
 
@@ -80,7 +80,7 @@ impl Drop for Server {
             // A panic of the thread was reported where it happened.
             let _ = acceptor.join();
         }
-        for (_, stream) in self.shared.askers() {
+        for (_, stream) in self.shared.clients() {
             // One that has gone by itself is as good.
             let _ = stream.shutdown(std::net::Shutdown::Both);
         }
@@ -110,8 +110,8 @@ fn bind(places: &[Place]) -> Result<Bound, String> {
 }
 
 impl Shared {
-    fn askers(&self) -> Vec<(u64, UnixStream)> {
-        std::mem::take(&mut *self.askers.lock().unwrap_or_else(PoisonError::into_inner))
+    fn clients(&self) -> Vec<(u64, UnixStream)> {
+        std::mem::take(&mut *self.clients.lock().unwrap_or_else(PoisonError::into_inner))
     }
 
     /// Accepts until the other end of `woken` is gone.
@@ -140,18 +140,18 @@ impl Shared {
             return;
         };
         let Ok(theirs) = stream.try_clone() else { return };
-        self.askers.lock().unwrap_or_else(PoisonError::into_inner).push((number, theirs));
+        self.clients.lock().unwrap_or_else(PoisonError::into_inner).push((number, theirs));
         let shared = Arc::clone(self);
         let serve = move || {
             shared.serve(&mut stream, &connection);
-            shared.askers.lock().unwrap_or_else(PoisonError::into_inner).retain(|(other, _)| *other != number);
+            shared.clients.lock().unwrap_or_else(PoisonError::into_inner).retain(|(other, _)| *other != number);
         };
-        if std::thread::Builder::new().name("asker".to_owned()).spawn(serve).is_err() {
-            self.askers.lock().unwrap_or_else(PoisonError::into_inner).retain(|(other, _)| *other != number);
+        if std::thread::Builder::new().name("client".to_owned()).spawn(serve).is_err() {
+            self.clients.lock().unwrap_or_else(PoisonError::into_inner).retain(|(other, _)| *other != number);
         }
     }
 
-    /// Answers the lines of one asker until it goes, or the run is over.
+    /// Answers the lines of one client until it goes, or the run is over.
     fn serve(&self, stream: &mut UnixStream, _connection: &Connection) {
         if stream.set_nonblocking(false).and_then(|()| stream.set_write_timeout(Some(WRITE_WAIT))).is_err() {
             return;
@@ -193,7 +193,7 @@ impl Shared {
     }
 }
 
-/// A line of an asker.
+/// A line of a client.
 enum Line {
     /// All of it, without its end.
     Whole(Vec<u8>),

@@ -1,6 +1,6 @@
 //! What can be asked of a running project and done to it: requests and answers as data, and as lines of JSON.
 //!
-//! Who carries the lines (a socket, a page) is no matter of this module. One [`Control`] serves one asker.
+//! Who carries the lines (a socket, a page) is no matter of this module. One [`Control`] serves one client.
 
 pub mod answer;
 pub mod facts;
@@ -30,7 +30,9 @@ use sieben_sim::wrap::{self, Fault};
 use crate::gate::{Closed, Gate, ITEMS_MAX, ListError, Plant};
 use crate::status::Desk;
 
-/// Names that an asker's control keeps; whoever asks for more pays for reading them again.
+/// Longest name that is kept, in bytes.
+const NAME_BYTES_MAX: usize = 200;
+/// Names that a client's control keeps; whoever asks for more pays for reading them again.
 const NAMES_MAX: usize = 10_000;
 /// Bytes of values that one request reads or writes: an answer stays below a megabyte.
 const VALUE_BYTES_MAX: u64 = 64 * 1024;
@@ -43,7 +45,7 @@ const WAIT_MAX: Duration = Duration::from_secs(2);
 /// How long it waits before it looks again.
 const LOOK: Duration = Duration::from_millis(100);
 
-/// One asker of a run: it remembers what names mean.
+/// One client of a run: it remembers what names mean.
 pub struct Control {
     current: Arc<CurrentFacts>,
     facts: Arc<Facts>,
@@ -83,7 +85,7 @@ fn changing() -> Refusal {
 }
 
 impl Control {
-    /// An asker of a run whose program is known by these facts.
+    /// A client of a run whose program is known by these facts.
     pub fn new(current: Arc<CurrentFacts>) -> Self {
         let (version, facts) = (current.version(), current.facts());
         Self { current, facts, version, names: HashMap::new() }
@@ -141,11 +143,13 @@ impl Control {
         if let Some(known) = self.names.get(text) {
             return known.clone().map_err(|error| unknown(&error));
         }
-        if self.names.len() >= NAMES_MAX {
-            self.names.clear();
-        }
         let name = Name::parse(text, &self.facts.symbols, &self.facts.program);
-        self.names.insert(text.to_owned(), name.clone());
+        if text.len() <= NAME_BYTES_MAX {
+            if self.names.len() >= NAMES_MAX {
+                self.names.clear();
+            }
+            self.names.insert(text.to_owned(), name.clone());
+        }
         name.map_err(|error| unknown(&error))
     }
 

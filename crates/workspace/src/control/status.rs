@@ -62,3 +62,29 @@ fn shown(facts: &Facts, block: BlockId, (number, sample): (u64, &Sample), from: 
     let next = wanted.next().map(|(&(_, statement), _)| u64::from(statement) + 1);
     Status { block, sample: number, scan: sample.scan, time_us: sample.time_us, same: sample.same, next, statements }
 }
+
+#[cfg(test)]
+mod tests {
+    use sieben_engine::machine::Registers;
+
+    use super::*;
+    use crate::status::StatementStatus;
+
+    #[test]
+    fn a_long_block_comes_in_parts_and_no_statement_twice() {
+        let status = StatementStatus { before: Registers::fresh(), after: Registers::fresh(), times: 1 };
+        let numbers = || (0..5_000_u32).filter(|number| number % 2 == 0);
+        let (block, other) = (BlockId::fc(1), BlockId::fc(2));
+        let statements = numbers().flat_map(|number| [((block, number), status.clone()), ((other, number), status.clone())]).collect();
+        let sample = Sample { scan: 3, time_us: 0, same: true, blocks: vec![block, other], statements };
+        let (mut seen, mut from) = (Vec::new(), Some(1));
+        while let Some(number) = from {
+            let part = shown(&Facts::default(), block, (1, &sample), u32::try_from(number).expect("a statement"));
+            assert!(part.statements.len() <= STATEMENTS_MAX);
+            seen.extend(part.statements.iter().map(|statement| statement.place.statement));
+            from = part.next;
+        }
+        assert_eq!(seen, numbers().map(|number| u64::from(number) + 1).collect::<Vec<_>>());
+        assert!(shown(&Facts::default(), block, (1, &sample), u32::MAX).statements.is_empty());
+    }
+}
