@@ -107,9 +107,9 @@ enum Verb {
     Record(Box<commands::record::Arguments>),
     /// Explain an instruction, a problem code, a CPU type, a system function or an event
     Explain(commands::explain::Arguments),
-    /// Bring sources of STL, ST and SCL into one layout
+    /// Bring sources of STL, LAD, FBD, ST and SCL into one layout
     Fmt(commands::fmt::Arguments),
-    /// Change STL sources from one mnemonic language to the other
+    /// Change sources from one mnemonic language to the other, or networks into LAD, FBD or STL
     Convert(commands::convert::Arguments),
     /// Print the assignment table, or convert symbol tables
     Symbols(commands::symbols::Arguments),

@@ -19,7 +19,7 @@ use crate::project::{Overrides, Project};
 use crate::report::{self, Finding};
 use crate::rewriting::{Destination, Rewriting};
 
-/// Change sources from one mnemonic language to the other, or networks into diagrams and back.
+/// Change sources from one mnemonic language to the other, or networks into LAD, FBD or STL.
 #[derive(Args)]
 #[command(after_help = "Examples:\n  \
   sieben convert --mnemonics en line4.awl              print it with A, JC, OPN\n  \

@@ -193,10 +193,6 @@ impl Snapshot {
         &self.state.settings
     }
 
-    pub(super) fn rack(&self) -> &RackSnapshot {
-        &self.rack
-    }
-
     /// Whether a CPU has the layout that the snapshot was made with.
     pub(super) fn fits(&self, cpu: &Cpu) -> bool {
         Arc::ptr_eq(&self.machine.layout, &cpu.machine.memory.layout) || *self.machine.layout == *cpu.machine.memory.layout
