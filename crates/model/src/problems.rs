@@ -382,6 +382,12 @@ problems! {
     P7081 Error "a file that no diagram is written to" "Name a file that ends in `.svg`, `.html` or `.txt`.";
     P7082 Error "a network that a block does not have" "Name a network of the block by its number, from 1.";
     P7083 Error "a network that is no diagram" "Choose a network that can be drawn, or try `--as fbd`; `sieben render` shows which can.";
+    P7090 Error "no run that answers" "Start it with `sieben run` in another terminal, with the same folder or files.";
+    P7091 Error "a request that is not understood" "Write one JSON object on one line, such as `{\"id\": 1, \"verb\": \"state\"}`; docs/reference/control-socket.md has all verbs.";
+    P7092 Error "a request beyond a limit" "Ask for less at once, or close a connection that is not needed.";
+    P7093 Error "a request that the CPU does not take now" "Ask for `state`: a start and a memory reset need STOP.";
+    P7094 Error "a run that is over" "Start it again, and connect again.";
+    P7095 Error "a status that cannot be shown" "Name a block with statements (`blocks` lists them) while the CPU scans.";
 
     // 8xxx run time
     P8001 Error "the CPU went to STOP" "Read the diagnostic buffer: it names the block and the statement.";

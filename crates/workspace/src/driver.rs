@@ -156,6 +156,11 @@ impl<'g> Driver<'g> {
             if let Some(end) = self.end(plant, now_us) {
                 return Next::End(end);
             }
+            // Time goes from scan to scan: without scans it stands still.
+            if plant.cpu.mode() == OperatingMode::Stop {
+                self.surroundings.at_point(plant);
+                return Next::Rest(PAUSE_US_MAX);
+            }
             self.scan(plant, &mut || now_us);
             // A cycle of 0 would never pass any time.
             plant.pace.pass(plant.pace.cycle_us.max(1));
@@ -210,8 +215,10 @@ impl<'g> Driver<'g> {
     }
 
     fn scan(&mut self, plant: &mut Plant, clock: &mut dyn FnMut() -> u64) {
+        // A CPU in STOP only lets its plants live on.
+        let scans = plant.cpu.mode() != OperatingMode::Stop;
         self.desk.scan(plant, clock, self.gate.now_us());
-        plant.scans += 1;
+        plant.scans += u64::from(scans);
         self.surroundings.keep(&mut plant.cpu);
     }
 }

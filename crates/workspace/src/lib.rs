@@ -3,6 +3,7 @@
 //! No files, no terminal, no clock, no threads: time comes in as a function, `app` starts the threads that call in here.
 #![forbid(unsafe_code)]
 
+pub mod control;
 pub mod controller;
 pub mod coverage;
 pub mod driver;
