@@ -30,7 +30,13 @@ const CHAPTERS: &[Chapter] = &[
     Chapter {
         title: "Tests",
         about: "Unit tests, programs that check themselves, coverage, and scenarios as tests.",
-        paths: &["crates/model/src/testing", "crates/sim/src/runner", "crates/app/src/testing"],
+        paths: &[
+            "crates/model/src/testing",
+            "crates/sim/src/runner",
+            "crates/workspace/src/coverage",
+            "crates/workspace/src/testing",
+            "crates/app/src/testing",
+        ],
     },
     Chapter {
         title: "Traces",
@@ -38,6 +44,7 @@ const CHAPTERS: &[Chapter] = &[
         paths: &[
             "crates/sim/src/trace",
             "crates/sim/src/timing_diagram",
+            "crates/workspace/src/tracing",
             "crates/app/src/tracing",
             "crates/app/src/commands/trace",
             "crates/app/src/commands/record",
@@ -46,7 +53,7 @@ const CHAPTERS: &[Chapter] = &[
     Chapter {
         title: "Stepping",
         about: "`sieben step` and the history of a run.",
-        paths: &["crates/sim/src/history", "crates/app/src/stepping"],
+        paths: &["crates/sim/src/history", "crates/workspace/src/session", "crates/app/src/stepping"],
     },
     Chapter {
         title: "Files and the command line",

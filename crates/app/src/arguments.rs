@@ -12,12 +12,13 @@ use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
 use sieben_model::profile::Profile;
 use sieben_sim::wrap::{self, Fault};
+use sieben_workspace::project::{Overrides, Project};
+use sieben_workspace::settings::{self, modules::Module};
 
 use crate::document::Document;
 use crate::failure::Failure;
-use crate::project::{Overrides, Project};
-use crate::settings::modules::Module;
-use crate::{files, output, settings};
+use crate::project;
+use crate::{files, output};
 
 /// What every verb that compiles a program takes.
 #[derive(Args, Clone, Debug)]
@@ -174,12 +175,12 @@ impl FaultArguments {
 impl ProgramArguments {
     /// Reads the files and folders of a program.
     pub(crate) fn load(&self, paths: &[PathBuf]) -> Result<Project, Failure> {
-        Project::load(paths, self.encoding.chosen())
+        project::load(paths, self.encoding.chosen())
     }
 
     /// Reads them as files of which each is looked at by itself.
     pub(crate) fn load_files(&self, paths: &[PathBuf]) -> Result<Project, Failure> {
-        Project::load_files(paths, self.encoding.chosen())
+        project::load_files(paths, self.encoding.chosen())
     }
 
     /// The encoding that the user chose for its files.

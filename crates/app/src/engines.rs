@@ -29,6 +29,11 @@ impl EngineArgument {
         if self == Self::Auto { Self::Jit } else { self }
     }
 
+    /// What makes programs runnable, for a CPU that is made of a build.
+    pub(crate) fn factory(self, status: StatusBits) -> impl Fn(&Program, &Layout) -> Arc<dyn Engine> {
+        move |program, layout| self.load(program, layout, status)
+    }
+
     /// Loads a program. With `auto` a thread makes the machine code, which takes over at a scan boundary; else it is there at once.
     /// If machine code was asked for and cannot be had, says why and interprets the program.
     pub(crate) fn load(self, program: &Program, layout: &Layout, status: StatusBits) -> Arc<dyn Engine> {

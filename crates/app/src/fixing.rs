@@ -3,10 +3,10 @@
 use sieben_lang::codesys_files;
 use sieben_model::diagnostic::{Certainty, Fix};
 use sieben_model::source::{FileId, Sources};
+use sieben_workspace::finding::{Finding, Origin};
+use sieben_workspace::project::Build;
 
 use crate::failure::Failure;
-use crate::project::Build;
-use crate::report::{Finding, Origin};
 use crate::rewriting;
 
 /// What was done to the sources, as one line each: `line4.awl:3:5: wrote `:=` for `=:``.

@@ -4,28 +4,21 @@
 mod arguments;
 mod commands;
 mod control;
-mod controller;
 mod diagrams;
 mod document;
 mod duration;
 mod engines;
 mod examples;
-mod failed;
 mod failure;
 mod files;
 mod fixing;
 mod folder;
 mod glob;
 mod instances;
-mod local_check;
-mod names;
-mod nearest;
-mod online_change;
 mod output;
 mod palette;
 mod panics;
 mod paths;
-mod places;
 mod programs;
 mod project;
 mod report;
@@ -33,7 +26,6 @@ mod retain;
 mod rewriting;
 mod schedule;
 mod screen;
-mod settings;
 mod stepping;
 mod symbol_files;
 mod terminal;
@@ -165,7 +157,7 @@ fn run(line: CommandLine) -> Exit {
     };
     result.unwrap_or_else(|failure: Failure| {
         match wants_json() {
-            true => output::message(&format!("{:#}\n", report::failure_to_json(&failure))),
+            true => output::message(&format!("{:#}\n", failure.to_json())),
             false => output::styled(&failure.render(output::colour())),
         }
         failure.exit
@@ -187,8 +179,8 @@ fn wrong_command_line(error: &clap::Error) {
         text.lines().take_while(|line| !line.starts_with("Usage:")).map(str::trim).filter(|line| !line.is_empty()).collect();
     let message = paragraph.join(" ").trim_start_matches("error: ").to_owned();
     let mut failure = Failure::usage(Problem::P7001, message);
-    failure.help = hint(error).map(|hint| hint.trim().to_owned());
-    let list = report::failure_to_json(&failure);
+    failure.refusal.help = hint(error).map(|hint| hint.trim().to_owned());
+    let list = failure.to_json();
     if std::env::args_os().nth(1).is_some_and(|verb| verb == "check") {
         // Nobody can be told if printing fails.
         let _ = output::print_json(&list, true);

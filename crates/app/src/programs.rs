@@ -13,11 +13,12 @@ use sieben_model::block::BlockId;
 use sieben_model::problems::Problem;
 use sieben_model::source::Sources;
 use sieben_model::visible;
+use sieben_workspace::finding::Finding;
+use sieben_workspace::settings;
 
 use crate::failure::Failure;
 use crate::paths::{self, Listing, is_awlsim_project, is_scenario, is_source, join, shown};
-use crate::report::Finding;
-use crate::{files, settings, symbol_files};
+use crate::{files, symbol_files};
 
 /// Most bytes that are read for all programs of a folder: what belongs to all of them counts for each.
 const BYTES_MAX: u64 = 256 << 20;
@@ -332,12 +333,11 @@ impl Folder {
     /// What is wrong with the folder beside its programs: links that are not followed, test files that belong to nothing.
     pub(crate) fn findings(&self) -> Vec<Finding> {
         let links = self.links_outside.iter().map(|path| Finding::outside(&shown(path)));
-        let stray = self.tests.iter().filter(|test| test.tests == Tested::Nothing && !is_scenario(&test.path)).map(|test| {
-            let failure = self.stray(&test.path);
-            let mut finding = Finding::file(failure.problem, shown(&test.path), failure.message);
-            finding.diagnostic.help = failure.help;
-            finding
-        });
+        let stray = self
+            .tests
+            .iter()
+            .filter(|test| test.tests == Tested::Nothing && !is_scenario(&test.path))
+            .map(|test| Finding::refused(shown(&test.path), self.stray(&test.path).refusal));
         links.chain(stray).collect()
     }
 

@@ -11,10 +11,12 @@ use sieben_lang::stl::heads;
 use sieben_model::diagnostic::Diagnostic;
 use sieben_model::problems::Problem;
 use sieben_model::source::{FileId, Span};
+use sieben_workspace::finding::{self, Finding};
+use sieben_workspace::project::{Project, SourceFile};
 
 use crate::failure::{Exit, Failure};
-use crate::project::{Project, SourceFile};
-use crate::report::{self, Finding};
+use crate::project;
+use crate::report;
 use crate::{files, output};
 
 /// What to do with the new text.
@@ -49,7 +51,7 @@ impl Rewriting {
         paths: &[PathBuf],
         rewrite: impl Fn(&Project, &SourceFile) -> Result<String, Vec<Diagnostic>>,
     ) -> Result<Exit, Failure> {
-        let mut project = Project::load_files(paths, self.encoding)?;
+        let mut project = project::load_files(paths, self.encoding)?;
         if project.sources.len() > 1 && matches!(self.destination, Destination::Print | Destination::File(_)) {
             let message = format!("{} sources cannot go into one place", project.sources.len());
             return Err(Failure::usage(Problem::P7001, message).help("give one file, or `--write` to replace each of them"));
@@ -69,12 +71,12 @@ impl Rewriting {
                 }
             }
         }
-        report::sort(&mut findings);
+        finding::sort(&mut findings);
         if !findings.is_empty() {
             report::print(&findings, &project.texts, false);
         }
         Ok(match () {
-            () if report::has_errors(&findings) => Exit::DoesNotCompile,
+            () if finding::has_errors(&findings) => Exit::DoesNotCompile,
             () if differing && self.destination == Destination::Check => Exit::CheckFailed,
             () => Exit::Success,
         })

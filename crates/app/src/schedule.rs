@@ -1,6 +1,5 @@
 //! When scans begin and what changes between them, as `exec`, `trace` and `record` take it from the command line.
 
-use std::iter::Peekable;
 use std::time::Duration;
 
 use clap::Args;
@@ -10,15 +9,13 @@ use sieben_model::symbols::SymbolTable;
 use sieben_sim::duration::CYCLE_MAX;
 use sieben_sim::names::Setting;
 use sieben_sim::scenario::{Scenario, Times};
+use sieben_workspace::duration;
+use sieben_workspace::names;
+use sieben_workspace::schedule::{self, Changes, Schedule};
+use sieben_workspace::settings::Settings;
 
-use crate::duration;
 use crate::duration::{cycle_argument, duration_argument};
 use crate::failure::Failure;
-use crate::names;
-use crate::settings::Settings;
-
-/// From one scan to the next, if nobody says otherwise.
-const USUAL_CYCLE: Duration = Duration::from_millis(10);
 
 /// What is set from outside in a run in virtual time.
 #[derive(Args, Clone, Debug)]
@@ -60,54 +57,6 @@ pub(crate) struct ScheduleArguments {
     scan_at: Vec<Duration>,
 }
 
-/// When a scan begins, by its number.
-pub(crate) enum Schedule {
-    /// At multiples of the cycle.
-    Cyclic { cycle: Duration, scans: u64 },
-    /// At these times.
-    At(Vec<Duration>),
-}
-
-impl Schedule {
-    /// How many scans there are.
-    pub(crate) fn len(&self) -> u64 {
-        match self {
-            Self::Cyclic { scans, .. } => *scans,
-            Self::At(times) => times.len() as u64,
-        }
-    }
-
-    /// Microseconds at the beginning of a scan.
-    pub(crate) fn begin_us(&self, scan: u64) -> u64 {
-        let us = match self {
-            Self::Cyclic { cycle, .. } => cycle.as_micros().saturating_mul(u128::from(scan)),
-            Self::At(times) => times[scan as usize].as_micros(),
-        };
-        u64::try_from(us).unwrap_or(u64::MAX)
-    }
-}
-
-/// What changes before the first scan and between two.
-pub(crate) struct Changes {
-    set: Vec<Setting>,
-    at: Peekable<std::vec::IntoIter<(Duration, Setting)>>,
-}
-
-impl Changes {
-    /// Sets what is set before the first scan.
-    pub(crate) fn begin(&self, cpu: &mut Cpu) -> Result<(), Failure> {
-        self.set.iter().try_for_each(|setting| names::apply(setting, cpu))
-    }
-
-    /// Sets what the scan at this time shall see.
-    pub(crate) fn apply(&mut self, cpu: &mut Cpu, now_us: u64) -> Result<(), Failure> {
-        while let Some((_, setting)) = self.at.next_if(|(time, _)| time.as_micros() <= u128::from(now_us)) {
-            names::apply(&setting, cpu)?;
-        }
-        Ok(())
-    }
-}
-
 impl ScheduleArguments {
     /// Whether nothing is said about when scans begin or what changes.
     pub(crate) fn is_empty(&self) -> bool {
@@ -140,7 +89,7 @@ impl ScheduleArguments {
             }
             return Ok(Schedule::At(self.scan_at.clone()));
         }
-        let cycle = cycle(self.cycle, settings);
+        let cycle = schedule::cycle(self.cycle, settings);
         let scans = match self.duration {
             None => self.scans.unwrap_or(usual),
             Some(_) if cycle.is_zero() => {
@@ -169,19 +118,8 @@ impl ScheduleArguments {
     /// What changes, as names of this CPU.
     pub(crate) fn changes(&self, symbols: &SymbolTable, cpu: &Cpu) -> Result<Changes, Failure> {
         let set = self.change.set.iter().map(|text| names::setting(text, symbols, cpu)).collect::<Result<_, _>>()?;
-        Ok(Changes { set, at: timed(&self.change.at, symbols, cpu)?.into_iter().peekable() })
+        Ok(Changes::new(set, timed(&self.change.at, symbols, cpu)?))
     }
-}
-
-/// Time from one scan to the next in virtual time: the one asked for, else that of the project, else 10 ms; not below the project's least.
-pub(crate) fn cycle(asked: Option<Duration>, settings: &Settings) -> Duration {
-    let usual = settings.cycle.filter(|cycle| !cycle.is_zero()).unwrap_or(USUAL_CYCLE);
-    asked.unwrap_or(usual).max(settings.min_cycle.unwrap_or_default())
-}
-
-/// The same where time has to go on, whatever is asked for, and nobody waits for a least cycle time.
-pub(crate) fn going_cycle(asked: Option<Duration>, settings: &Settings) -> Duration {
-    asked.or(settings.cycle).filter(|cycle| !cycle.is_zero()).unwrap_or(USUAL_CYCLE)
 }
 
 /// The changes of `--at` in the order of their times; those of the same time as they were written.

@@ -12,13 +12,15 @@ use sieben_cpu::{Cpu, Loaded, OnlineChange};
 use sieben_jit::StatusBits;
 use sieben_model::cpu_type::CpuType;
 use sieben_model::visible::visible;
+use sieben_workspace::finding;
+use sieben_workspace::online_change;
+use sieben_workspace::project::{Build, Overrides};
+use sieben_workspace::settings::Settings;
 
 use crate::arguments::ProgramArguments;
 use crate::engines::EngineArgument;
 use crate::failure::Failure;
-use crate::project::{Build, Overrides};
-use crate::settings::Settings;
-use crate::{online_change, output, paths, report};
+use crate::{output, paths, report};
 
 /// How often the files are looked at. A change is taken when the next look finds it finished.
 const LOOK_PERIOD: Duration = Duration::from_millis(250);
@@ -161,7 +163,7 @@ pub(crate) fn stamps(paths: &[PathBuf]) -> Stamps {
     let mut files: BTreeSet<PathBuf> = BTreeSet::new();
     for path in paths {
         if path.is_dir() {
-            files.insert(path.join(crate::settings::FILE_NAME));
+            files.insert(path.join(sieben_workspace::settings::FILE_NAME));
             let below = paths::files_below(path).unwrap_or_default();
             files.extend(below.into_iter().filter(|file| paths::is_program(file) || paths::is_test(file) || paths::is_symbols(file)));
         } else {
@@ -232,11 +234,11 @@ impl Looking {
     fn compile(&mut self) -> Found {
         let project = match self.program.load(&self.paths) {
             Ok(project) => project,
-            Err(failure) => return Found::Broken(format!("{}\n", visible(&failure.message))),
+            Err(failure) => return Found::Broken(format!("{}\n", visible(&failure.refusal.message))),
         };
         let build = project.compile(self.overrides, false);
         self.sources = sources(&build);
-        if report::has_errors(&build.findings) {
+        if finding::has_errors(&build.findings) {
             return Found::Broken(report::render(&build.findings, &build.project.texts, output::colour()));
         }
         if *build.cpu != *self.cpu {
@@ -244,7 +246,10 @@ impl Looking {
         }
         if self.settings != build.project.settings {
             self.settings = build.project.settings.clone();
-            output::message(&format!("What `{}` says beside the files takes effect with the next start.\n", crate::settings::FILE_NAME));
+            output::message(&format!(
+                "What `{}` says beside the files takes effect with the next start.\n",
+                sieben_workspace::settings::FILE_NAME
+            ));
         }
         let program = Arc::new(build.compiled.program.clone());
         let load = |program: &_, layout: &_| self.engine.load(program, layout, StatusBits::Needed);

@@ -23,7 +23,7 @@ use sieben_engine::{Machine, Program, Stored};
 use sieben_model::address::{Address, Area, Operand};
 use sieben_model::block::BlockId;
 use sieben_model::cpu_type::CpuType;
-use sieben_model::item::{Item, Place};
+use sieben_model::item::{Item, Local, Place, Start};
 use sieben_model::symbols::SymbolTable;
 use sieben_model::types::DataType;
 use sieben_model::value::{Content, Value};
@@ -266,6 +266,31 @@ impl Name {
     /// What setting it from outside stores, at once: an input only comes with the next process image.
     pub(crate) fn stores(&self, machine: &Machine) -> Option<Stored> {
         Moment { machine, registers: &machine.registers }.stores(&self.item)
+    }
+
+    /// The data block that it lies in, wherever a run stands.
+    pub fn data_block(&self) -> Option<u16> {
+        match &self.item.place {
+            Place::Operand(Operand::InDataBlock { db, .. }) => Some(*db),
+            Place::Bytes(bytes) => bytes.db,
+            _ => None,
+        }
+    }
+
+    /// A variable of an instance as the address that it has in this data block; everything else as it is.
+    ///
+    /// # Errors
+    /// The data block is not an instance of its block, or not there. Inside another instance a place is known only while the block runs.
+    pub fn in_data_block(self, db: u16, program: &Program) -> Result<Self, NameError> {
+        let Place::Local(Local { start: Start::Instance(position), data_type, block }) = &self.item.place else { return Ok(self) };
+        match program.data.get(&db) {
+            Some(data) if data.based_on == Some(*block) => Ok(Self { item: Item::field(db, *position, data_type), text: self.text }),
+            _ => {
+                let message =
+                    format!("`{}` lay in `DB {db}`, which is no instance of `{block}`; name it again where the block runs", self.text);
+                Err(NameError::new(message))
+            }
+        }
     }
 
     /// A variable of an instance as the address that it has now; everything else as it is.

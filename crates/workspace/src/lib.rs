@@ -4,11 +4,30 @@
 #![forbid(unsafe_code)]
 
 pub mod control;
+pub mod controller;
+pub mod coverage;
 pub mod driver;
+pub mod duration;
+pub mod failed;
+pub mod finding;
 pub mod gate;
+pub mod local_check;
+pub mod names;
+pub mod nearest;
+pub mod online_change;
 pub mod pace;
+pub mod places;
+pub mod project;
+pub mod refusal;
+pub mod schedule;
+pub mod session;
+pub mod settings;
 pub mod status;
+pub mod testing;
+pub mod tracing;
+pub mod xml;
 
 pub use driver::{Driver, End, Surroundings};
 pub use gate::{Closed, Gate, Plant};
 pub use pace::{Pace, Speed};
+pub use refusal::Refusal;

@@ -8,11 +8,11 @@ use sieben_ide::assignment_list::{AreaUse, AssignmentList, BitUse, ByteUse, Part
 use sieben_ide::cross_reference::{CrossReference, Reference};
 use sieben_model::address::Area;
 use sieben_model::mnemonics::Mnemonics;
+use sieben_workspace::places::Places;
 
 use crate::arguments::{ProgramArguments, ReportArguments};
 use crate::document::{Document, Section};
 use crate::failure::{Exit, Failure};
-use crate::places::Places;
 
 /// Print which inputs, outputs, bit memory, timers and counters are used.
 #[derive(Args)]

@@ -11,13 +11,17 @@ use sieben_cpu::{Cpu, Loaded, OperatingMode, Restart};
 use sieben_engine::{Layout, Machine, Program, StatementEvent, Tracer};
 use sieben_jit::{StatusBits, Tier, Tiers};
 use sieben_sim::names::Name;
+use sieben_workspace::controller;
+use sieben_workspace::duration;
+use sieben_workspace::names;
+use sieben_workspace::schedule;
 
 use crate::arguments::ProgramArguments;
 use crate::duration::cycle_argument;
 use crate::engines::EngineArgument;
 use crate::failure::{Exit, Failure};
 use crate::instances::{self, Instances};
-use crate::{controller, duration, names, output, schedule};
+use crate::output;
 
 /// Bytes that are walked through before each scan of the cold figure: more than the caches of a core hold.
 const CACHES_BYTES: usize = 32 << 20;

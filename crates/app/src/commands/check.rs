@@ -9,14 +9,15 @@ use sieben_cpu::OnlineChange;
 use sieben_lang::TemporaryReads;
 use sieben_model::problems::Problem;
 use sieben_model::visible;
+use sieben_workspace::finding::several::Several;
+use sieben_workspace::finding::{self, Finding, Texts};
+use sieben_workspace::online_change;
+use sieben_workspace::project::{Build, Overrides};
 
 use crate::arguments::{ProgramArguments, StrictArgument};
 use crate::failure::{Exit, Failure};
 use crate::programs::{Chosen, Folder, Program};
-use crate::project::{Build, Overrides};
-use crate::report::several::Several;
-use crate::report::{Finding, Texts};
-use crate::{fixing, online_change, output, paths, report};
+use crate::{fixing, output, paths, report};
 
 /// Report everything that is wrong with a program.
 #[derive(Args)]
@@ -87,8 +88,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         if arguments.format() == Format::Text {
             return Err(failure);
         }
-        let mut finding = Finding::file(failure.problem, String::new(), failure.message);
-        finding.diagnostic.help = failure.help;
+        let finding = Finding::refused(String::new(), failure.refusal);
         print(arguments.format(), &[finding], &Texts::default())?;
         Ok(failure.exit)
     })
@@ -157,9 +157,9 @@ fn print(format: Format, findings: &[Finding], texts: &Texts) -> Result<(), Fail
             report::print(findings, texts, false);
             Ok(())
         }
-        Format::Json => output::print_json(&report::to_json(findings, texts), true),
-        Format::Concise => output::print(&report::lines::concise(findings, texts)),
-        Format::Github => output::print(&report::lines::github(findings, texts)),
+        Format::Json => output::print_json(&finding::to_json(findings, texts), true),
+        Format::Concise => output::print(&finding::lines::concise(findings, texts)),
+        Format::Github => output::print(&finding::lines::github(findings, texts)),
     }
 }
 
@@ -182,7 +182,7 @@ fn plural(count: usize, word: &str) -> String {
 fn check_one(arguments: &Arguments, build: &Build, overrides: Overrides) -> Result<Exit, Failure> {
     let findings = &build.findings;
     let format = arguments.format();
-    if let Some(old) = arguments.against.as_ref().filter(|_| !report::has_errors(findings)) {
+    if let Some(old) = arguments.against.as_ref().filter(|_| !finding::has_errors(findings)) {
         return against(arguments, overrides, old, build);
     }
     if !findings.is_empty() || format != Format::Text {
@@ -200,7 +200,7 @@ fn check_one(arguments: &Arguments, build: &Build, overrides: Overrides) -> Resu
         };
         say(format, &format!("{what}, no errors, no warnings.\n"))?;
     }
-    Ok(if report::has_errors(findings) { Exit::DoesNotCompile } else { Exit::Success })
+    Ok(if finding::has_errors(findings) { Exit::DoesNotCompile } else { Exit::Success })
 }
 
 /// Checks each program of a folder; what is wrong with a file that several of them share is printed once.
@@ -240,7 +240,7 @@ fn check_several(arguments: &Arguments, chosen: &Chosen, overrides: Overrides) -
             .iter()
             .map(|program| json!({ "name": program.name, "files": program.files, "errors": program.errors, "warnings": program.warnings }))
             .collect();
-        output::print_json(&json!({ "programs": programs, "diagnostics": report::to_json(&findings, &texts) }), true)?;
+        output::print_json(&json!({ "programs": programs, "diagnostics": finding::to_json(&findings, &texts) }), true)?;
     } else if !findings.is_empty() {
         print(format, &findings, &texts)?;
         let wrong: Vec<&str> = programs.iter().filter(|program| program.errors > 0).map(|program| program.name.as_str()).collect();
@@ -255,14 +255,14 @@ fn check_several(arguments: &Arguments, chosen: &Chosen, overrides: Overrides) -
         let (programs, sources) = (plural(programs.len(), "program"), plural(sources.len(), "source"));
         say(format, &format!("{programs} in {sources}, no errors, no warnings.\n"))?;
     }
-    Ok(if report::has_errors(&findings) { Exit::DoesNotCompile } else { Exit::Success })
+    Ok(if finding::has_errors(&findings) { Exit::DoesNotCompile } else { Exit::Success })
 }
 
 /// Lists what an online change from one program to another does.
 fn against(arguments: &Arguments, overrides: Overrides, old: &Path, build: &Build) -> Result<Exit, Failure> {
     let paths = [old.to_path_buf()];
     let before = match arguments.program.load(&paths)?.compile(overrides, false) {
-        before if report::has_errors(&before.findings) => super::or_report(before, arguments.format() == Format::Json),
+        before if finding::has_errors(&before.findings) => super::or_report(before, arguments.format() == Format::Json),
         before => Ok(before),
     };
     let before = match before {
@@ -275,7 +275,7 @@ fn against(arguments: &Arguments, overrides: Overrides, old: &Path, build: &Buil
     }
     let change = OnlineChange::between(&before.compiled.program, &build.compiled.program, &[]);
     if arguments.format() == Format::Json {
-        let diagnostics = report::to_json(&build.findings, &build.project.texts);
+        let diagnostics = finding::to_json(&build.findings, &build.project.texts);
         output::print_json(&json!({ "diagnostics": diagnostics, "online_change": online_change::to_json(&change) }), true)?;
         return Ok(Exit::Success);
     }

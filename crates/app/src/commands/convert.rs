@@ -10,13 +10,15 @@ use sieben_lang::stl::redraw::{self, AnswerKind, Form, Redrawing, RedrawnNetwork
 use sieben_model::diagnostic::Diagnostic;
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
+use sieben_workspace::finding::{self, Finding};
+use sieben_workspace::project::Overrides;
 
 use crate::arguments::{EncodingArgument, MnemonicsArgument};
 use crate::diagrams;
 use crate::failure::{Exit, Failure};
 use crate::output;
-use crate::project::{Overrides, Project};
-use crate::report::{self, Finding};
+use crate::project;
+use crate::report;
 use crate::rewriting::{Destination, Rewriting};
 
 /// Change sources from one mnemonic language to the other, or networks into LAD, FBD or STL.
@@ -124,8 +126,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
 /// Networks in another form.
 fn networks(arguments: &Arguments, rewriting: &Rewriting, to: NetworkTarget) -> Result<Exit, Failure> {
     let overrides = Overrides { mnemonics: arguments.from.map(MnemonicsArgument::language), ..Overrides::default() };
-    let build = Project::load(&arguments.paths, arguments.encoding.chosen())?.compile(overrides, false);
-    if report::has_errors(&build.findings) {
+    let build = project::load(&arguments.paths, arguments.encoding.chosen())?.compile(overrides, false);
+    if finding::has_errors(&build.findings) {
         report::print(&build.findings, &build.project.texts, arguments.json);
         return Ok(Exit::DoesNotCompile);
     }

@@ -9,19 +9,22 @@ use sieben_engine::{FaultPlace, LocalAccess, Machine, StatementEvent, Tracer};
 use sieben_jit::StatusBits;
 use sieben_sim::names::Name;
 use sieben_sim::trace::Moment;
+use sieben_workspace::controller;
+use sieben_workspace::duration;
+use sieben_workspace::failed::{self, Failed};
+use sieben_workspace::finding::Finding;
+use sieben_workspace::local_check::LocalCheck;
+use sieben_workspace::names;
+use sieben_workspace::places::Places;
+use sieben_workspace::project::Build;
 
 use crate::arguments::{DiagnosticsArgument, FaultArguments, ProgramArguments, StrictArgument};
 use crate::diagrams::{Diagrams, Form, LastMoment};
 use crate::engines::EngineArgument;
-use crate::failed::{self, Failed};
 use crate::failure::{Exit, Failure};
-use crate::local_check::LocalCheck;
-use crate::names;
-use crate::places::Places;
-use crate::project::Build;
-use crate::report::{self, Finding};
+use crate::output;
+use crate::report;
 use crate::schedule::ScheduleArguments;
-use crate::{controller, duration, output};
 
 /// Run a few scans in virtual time and print values.
 #[derive(Args)]
@@ -84,7 +87,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         Ok(build) => build,
         Err(exit) => return Ok(exit),
     };
-    let mut cpu = controller::load(&build, arguments.engine, StatusBits::All, controller::settings(&build));
+    let mut cpu = controller::load(&build, arguments.engine.factory(StatusBits::All), controller::settings(&build));
     arguments.faults.inject(&mut cpu)?;
     let symbols = &build.project.symbols;
     let shown = names::resolve_lists(&arguments.show, symbols, &cpu)?;
@@ -101,7 +104,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     // A watched run is interpreted, whatever the engine.
     cpu.restart_with(Restart::Warm, &mut || 0, check.as_mut().map(|check| check as &mut dyn Tracer));
     changes.begin(&mut cpu)?;
-    let count = schedule.len();
+    let count = schedule.scans();
     for scan in 0..count {
         let now_us = schedule.begin_us(scan);
         changes.apply(&mut cpu, now_us)?;

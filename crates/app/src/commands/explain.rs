@@ -24,9 +24,9 @@ use sieben_model::diagnostic::Severity;
 use sieben_model::interface::{Interface, Section, SystemBlock};
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
+use sieben_workspace::nearest::nearest;
 
 use crate::failure::{Exit, Failure};
-use crate::nearest::nearest;
 use crate::output;
 
 /// The nine bits of the status word: name, other spellings, what it holds.

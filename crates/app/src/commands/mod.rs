@@ -21,11 +21,13 @@ pub(crate) mod test;
 pub(crate) mod top;
 pub(crate) mod trace;
 
+use sieben_workspace::finding;
+use sieben_workspace::project::Build;
+
 use std::path::PathBuf;
 
 use crate::arguments::{ProgramArguments, ReportArguments};
 use crate::failure::{Exit, Failure};
-use crate::project::Build;
 use crate::report;
 
 /// The build if it may run; else its diagnostics are printed and the exit code is that of a program that does not compile.
@@ -33,11 +35,11 @@ fn or_report(build: Build, json: bool) -> Result<Build, Exit> {
     if !build.findings.is_empty() {
         report::print(&build.findings, &build.project.texts, json);
     }
-    if report::has_errors(&build.findings) { Err(Exit::DoesNotCompile) } else { Ok(build) }
+    if finding::has_errors(&build.findings) { Err(Exit::DoesNotCompile) } else { Ok(build) }
 }
 
 /// The program of a verb that only reports on it: warnings are no matter of its, `check` tells them.
 fn build_for_report(paths: &[PathBuf], program: &ProgramArguments, report: &ReportArguments) -> Result<Result<Build, Exit>, Failure> {
     let build = program.load(paths)?.compile(program.overrides()?, false);
-    Ok(if report::has_errors(&build.findings) { or_report(build, report.json()) } else { Ok(build) })
+    Ok(if finding::has_errors(&build.findings) { or_report(build, report.json()) } else { Ok(build) })
 }

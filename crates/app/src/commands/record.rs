@@ -16,20 +16,24 @@ use sieben_sim::scenario::recorder::{Recorder, Subject};
 use sieben_sim::scenario::{Happened, Onlooker, Rules, Scenario, ScenarioError};
 use sieben_sim::trace::CHANNELS_MAX;
 use sieben_workspace::Speed;
+use sieben_workspace::controller;
+use sieben_workspace::duration;
+use sieben_workspace::failed::Heard;
+use sieben_workspace::names;
+use sieben_workspace::places::Places;
+use sieben_workspace::project::Build;
+use sieben_workspace::tracing::channels;
+use sieben_workspace::tracing::scenario::{origin, rack};
 
 use super::run::now;
 use crate::arguments::{FaultArguments, ProgramArguments};
 use crate::engines::EngineArgument;
-use crate::failed::Heard;
 use crate::failure::{Exit, Failure};
 use crate::paths::{self, is_scenario, shown};
-use crate::places::Places;
-use crate::project::Build;
 use crate::retain::restart_argument;
 use crate::schedule::ScheduleArguments;
-use crate::tracing::channels;
-use crate::tracing::scenario::{self, origin};
-use crate::{controller, duration, files, names, output, terminal};
+use crate::tracing::scenario;
+use crate::{files, output, terminal};
 
 /// Text that waits at most before it is written.
 const WAITING_MAX: usize = 64 << 10;
@@ -117,7 +121,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     };
     let speed = arguments.speed.unwrap_or(if given.is_some() { Speed::Max } else { Speed::Factor(1.0) });
     let settings = controller::settings(&build);
-    let loaded = controller::loaded(&build, arguments.engine, StatusBits::All);
+    let loaded = controller::loaded(&build, arguments.engine.factory(StatusBits::All));
     let mut cpu = Cpu::new(loaded.clone(), controller::rack(&build), settings.clone());
     arguments.faults.inject(&mut cpu)?;
     let (path, scenario) = match given {
@@ -189,7 +193,7 @@ fn record(
     mut live: Live,
 ) -> Result<Exit, Failure> {
     let mut fresh = || {
-        let mut cpu = Cpu::new(loaded.clone(), scenario::rack(build, scenario), settings.clone());
+        let mut cpu = Cpu::new(loaded.clone(), rack(build, scenario), settings.clone());
         // They were taken by another CPU before; a scenario with other modules has none that could fail.
         let _ = arguments.faults.inject(&mut cpu);
         cpu

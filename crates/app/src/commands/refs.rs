@@ -10,12 +10,12 @@ use sieben_ide::unused::Unused;
 use sieben_model::address::Operand;
 use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::problems::Problem;
+use sieben_workspace::places::Places;
+use sieben_workspace::project::Build;
 
 use crate::arguments::{ProgramArguments, ReportArguments};
 use crate::document::{Document, Section};
 use crate::failure::{Exit, Failure};
-use crate::places::Places;
-use crate::project::Build;
 
 /// Print where every address, timer, counter and block is used.
 #[derive(Args)]

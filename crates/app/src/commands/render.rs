@@ -7,12 +7,13 @@ use serde_json::{Value, json};
 use sieben_ide::drawing::text::Characters;
 use sieben_model::block::BlockId;
 use sieben_model::problems::Problem;
+use sieben_workspace::places::Places;
+use sieben_workspace::{controller, finding};
 
 use crate::arguments::ProgramArguments;
 use crate::diagrams::{self, CodeBlock, Diagrams, Form, Kind, Shown, Written};
 use crate::failure::{Exit, Failure};
-use crate::places::Places;
-use crate::{controller, output, paths, report};
+use crate::{output, paths};
 
 /// Draw networks as ladder or function block diagrams.
 #[derive(Args)]
@@ -61,12 +62,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let kind = arguments.output.as_deref().map(Kind::of).transpose()?;
     paths::spare_sources(&arguments.output)?;
     let build = arguments.program.load(&arguments.paths)?.compile(arguments.program.overrides()?, false);
-    if arguments.or_source && report::has_errors(&build.findings) {
+    if arguments.or_source && finding::has_errors(&build.findings) {
         let sources = build.project.sources.iter().map(|source| build.project.texts.program.file(source.id).text.as_str());
         output::print(&sources.collect::<String>())?;
         return Ok(Exit::Success);
     }
-    let build = match report::has_errors(&build.findings) {
+    let build = match finding::has_errors(&build.findings) {
         true => match super::or_report(build, arguments.json) {
             Ok(build) => build,
             Err(exit) => return Ok(exit),

@@ -2,25 +2,29 @@
 
 use std::io::{BufRead, IsTerminal, Read};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::Duration;
 
 use clap::Args;
 use sieben_cpu::{Cpu, OperatingMode};
-use sieben_jit::StatusBits;
+use sieben_engine::Interpreter;
 use sieben_model::problems::Problem;
 use sieben_sim::history::{History, Plan};
 use sieben_sim::names::Name;
+use sieben_workspace::controller;
+use sieben_workspace::duration;
+use sieben_workspace::project::Build;
+use sieben_workspace::schedule;
+use sieben_workspace::session::commands::{Answer, LINE_MAX, carry_out};
+use sieben_workspace::session::recording::Unusable;
+use sieben_workspace::session::{Language, Session, recording, table};
 
 use crate::arguments::{FaultArguments, ProgramArguments};
 use crate::duration::cycle_argument;
-use crate::engines::EngineArgument;
 use crate::failure::{Exit, Failure};
-use crate::project::Build;
 use crate::schedule::ChangeArguments;
-use crate::stepping::commands::{Answer, LINE_MAX, carry_out};
-use crate::stepping::recording::Unusable;
-use crate::stepping::{Language, Stepper, recording, screen, table};
-use crate::{controller, duration, files, output, paths, schedule, terminal};
+use crate::stepping::words::refused;
+use crate::{files, output, paths, stepping, terminal};
 
 /// Step through a program, one statement at a time, forwards and back.
 #[derive(Args)]
@@ -80,25 +84,26 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         Ok(build) => build,
         Err(exit) => return Ok(exit),
     };
-    let mut cpu = controller::load(&build, EngineArgument::Interpreter, StatusBits::All, controller::settings(&build));
+    let mut cpu = controller::load(&build, Interpreter::load, controller::settings(&build));
     arguments.faults.inject(&mut cpu)?;
     arguments.faults.note(&mut build.project.settings.modules);
     let timed = arguments.change.timed(&build.project.symbols, &cpu)?.into_iter();
     let timed = timed.map(|(time, setting)| (duration::micros(time), setting));
     let plan = Plan::new(duration::micros(cycle), arguments.scans, timed.collect());
-    let mut stepper = match &arguments.replay {
-        Some(path) => replay(path, &build, cpu, plan)?,
-        None => Stepper::new(&build, cpu, plan),
+    let build = Arc::new(build);
+    let mut session = match &arguments.replay {
+        Some(path) => replay(path, build, cpu, plan)?,
+        None => Session::new(build, cpu, plan),
     };
-    stepper.language = arguments.lang;
+    session.language = arguments.lang;
     let exit = if arguments.commands.is_none() && !arguments.json && terminal::has_screen() {
-        on_screen(&mut stepper)?
+        on_screen(&mut session)?
     } else {
         let input = open(arguments)?;
-        read_commands(arguments, &mut stepper, input)?
+        read_commands(arguments, &mut session, input)?
     };
     if let Some(path) = &arguments.record {
-        match recording::write(&stepper) {
+        match recording::write(&session) {
             Some(text) => files::write_whole(path, text.as_bytes())?,
             None => {
                 let message = "the run cannot be recorded: its beginning is no longer kept";
@@ -110,14 +115,14 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
 }
 
 /// The microscope with keys, until the user leaves it.
-fn on_screen(stepper: &mut Stepper<'_>) -> Result<Exit, Failure> {
+fn on_screen(session: &mut Session) -> Result<Exit, Failure> {
     let interrupted = terminal::interrupted();
-    screen::run(stepper, output::colour(), &interrupted).map_err(|error| terminal::broken(&error))?;
+    stepping::run(session, output::colour(), &interrupted).map_err(|error| terminal::broken(&error))?;
     Ok(Exit::Success)
 }
 
 /// The run of a recording, at its end.
-fn replay<'b>(path: &Path, build: &'b Build, cpu: Cpu, plan: Plan) -> Result<Stepper<'b>, Failure> {
+fn replay(path: &Path, build: Arc<Build>, cpu: Cpu, plan: Plan) -> Result<Session, Failure> {
     let shown = path.display();
     let unreadable = |error: std::io::Error| Failure::usage(Problem::P6001, format!("`{shown}` cannot be read: {error}"));
     let mut text = String::new();
@@ -128,7 +133,7 @@ fn replay<'b>(path: &Path, build: &'b Build, cpu: Cpu, plan: Plan) -> Result<Ste
     }
     let symbols = &build.project.symbols;
     let name = |name: &str| Name::parse(name, symbols, cpu.program()).map_err(|error| error.to_string());
-    let recording = recording::read(&text, build, name).map_err(|unusable| match unusable {
+    let recording = recording::read(&text, &build, name).map_err(|unusable| match unusable {
         Unusable::OtherProgram => Failure::usage(Problem::P7043, format!("`{shown}` is the recording of another program")),
         Unusable::Line(line, why) => Failure::usage(Problem::P7044, format!("`{shown}`, line {line}: {why}")),
     })?;
@@ -137,7 +142,7 @@ fn replay<'b>(path: &Path, build: &'b Build, cpu: Cpu, plan: Plan) -> Result<Ste
         let came = history.position().statements;
         return Err(Failure::usage(Problem::P7044, format!("`{shown}`: the run ends after {came} statements, not {}", recording.end)));
     }
-    Ok(Stepper::with_history(build, history))
+    Ok(Session::with_history(build, history))
 }
 
 fn open(arguments: &Arguments) -> Result<Box<dyn BufRead>, Failure> {
@@ -149,11 +154,11 @@ fn open(arguments: &Arguments) -> Result<Box<dyn BufRead>, Failure> {
     Ok(Box::new(std::io::BufReader::new(file)))
 }
 
-fn read_commands(arguments: &Arguments, stepper: &mut Stepper<'_>, mut input: Box<dyn BufRead>) -> Result<Exit, Failure> {
+fn read_commands(arguments: &Arguments, session: &mut Session, mut input: Box<dyn BufRead>) -> Result<Exit, Failure> {
     let prompts = arguments.commands.is_none() && std::io::stdin().is_terminal() && !arguments.json;
     let mut wrong = false;
     if !arguments.json {
-        output::print(table::head(stepper.language))?;
+        output::print(table::head(session.language))?;
     }
     loop {
         if prompts {
@@ -165,28 +170,28 @@ fn read_commands(arguments: &Arguments, stepper: &mut Stepper<'_>, mut input: Bo
             output::print(&format!("> {command}\n"))?;
         }
         let mut rows = String::new();
-        let outcome = carry_out(stepper, &line, &mut |stepper| rows.push_str(&table::row(stepper)));
+        let outcome = carry_out(session, &line, &mut |session| rows.push_str(&table::row(session)));
         if !arguments.json {
             output::print(&rows)?;
         }
         match outcome {
             Ok(Answer::Quit) => break,
             Ok(Answer::Nothing) => {}
-            Ok(answer) if arguments.json => output::print_json(&table::answer_json(stepper, &command, &answer), false)?,
-            Ok(answer) => output::print(&table::answer(stepper, &answer))?,
-            Err(failure) => {
+            Ok(answer) if arguments.json => output::print_json(&table::answer_json(session, &command, &answer), false)?,
+            Ok(answer) => output::print(&table::answer(session, &answer))?,
+            Err(refusal) => {
                 wrong = true;
                 if arguments.json {
-                    output::print_json(&table::failure_json(&command, &failure), false)?;
+                    output::print_json(&table::refusal_json(&command, &refusal), false)?;
                 } else {
-                    output::styled(&table::failure(&failure, output::colour(), stepper.language));
+                    output::styled(&refused(&refusal, output::colour(), session.language));
                 }
             }
         }
     }
-    Ok(match stepper.cpu().mode() {
+    Ok(match session.cpu().mode() {
         _ if wrong => Exit::Usage,
-        OperatingMode::Stop if stepper.history().position().actions > 0 => Exit::Stopped,
+        OperatingMode::Stop if session.history().position().actions > 0 => Exit::Stopped,
         _ => Exit::Success,
     })
 }

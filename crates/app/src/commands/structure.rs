@@ -6,12 +6,12 @@ use clap::Args;
 use sieben_ide::call_structure::{CallStructure, Callee, Line, Mark};
 use sieben_ide::target::Target;
 use sieben_model::block::BlockId;
+use sieben_workspace::places::Places;
+use sieben_workspace::project::Build;
 
 use crate::arguments::{ProgramArguments, ReportArguments};
 use crate::document::{Document, Section};
 use crate::failure::{Exit, Failure};
-use crate::places::Places;
-use crate::project::Build;
 
 /// Levels that are indented: more than any CPU nests; deeper ones are numbered.
 const LEVELS_MAX: usize = 40;

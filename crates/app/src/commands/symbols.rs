@@ -9,11 +9,12 @@ use sieben_lang::encoding::{self, Encoding};
 use sieben_lang::symbols::{self, Format, Layout, assignment};
 use sieben_model::problems::Problem;
 use sieben_model::symbols::SymbolTable;
+use sieben_workspace::finding::{self, Texts};
 
 use crate::arguments::EncodingArgument;
 use crate::document::{Document, Section};
 use crate::failure::{Exit, Failure};
-use crate::report::{self, Texts};
+use crate::report;
 use crate::{files, output, symbol_files};
 
 /// Print the assignment table, or convert symbol tables.
@@ -105,12 +106,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         }
     }
     table.set_columns(columns.unwrap_or_default());
-    report::sort(&mut findings);
+    finding::sort(&mut findings);
     if !findings.is_empty() {
         report::print(&findings, &texts, arguments.json);
     }
     // A table with errors is still printed: seeing it is the way to mend it. Only a conversion must not lose rows.
-    let failed = report::has_errors(&findings);
+    let failed = finding::has_errors(&findings);
     let exit = if failed { Exit::CheckFailed } else { Exit::Success };
     let (to, html) = meant(arguments);
     match to {

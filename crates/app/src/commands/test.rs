@@ -9,15 +9,17 @@ use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use sieben_model::problems::Problem;
 use sieben_sim::scenario::Rules;
+use sieben_workspace::coverage::{Collector, Coverage};
+use sieben_workspace::testing::{Case, Conditions, Verdict, report, shuffle};
 
 use crate::arguments::{DiagnosticsArgument, ProgramArguments, StrictArgument};
 use crate::duration::{cycle_argument, duration_argument};
 use crate::engines::EngineArgument;
 use crate::failure::{Exit, Failure};
-use crate::testing::coverage::{Collector, Coverage};
+use crate::testing::computer::Computer;
 use crate::testing::discovery::Discovered;
 use crate::testing::rules::RuleArguments;
-use crate::testing::{self, Case, Conditions, Verdict, discovery, report, self_checking};
+use crate::testing::{self, coverage_pages, discovery};
 use crate::{files, output, paths, watch};
 
 /// Run unit tests (*.test.st), scenarios, and programs that check themselves.
@@ -125,7 +127,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         let stamps = watch::stamps(&watched);
         // What is wrong may be mended while we look.
         if let Err(failure) = once(arguments) {
-            output::message(&format!("{}\n", failure.message));
+            output::message(&format!("{}\n", failure.refusal.message));
         }
         output::message("Waiting for a change; Ctrl+C ends.\n");
         watch::wait_for_change(&watched, &stamps);
@@ -135,16 +137,15 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
 /// Runs the tests once.
 fn once(arguments: &Arguments) -> Result<Exit, Failure> {
     let mut conditions = Conditions {
+        outside: Arc::new(Computer::new(arguments.engine, arguments.svg.clone())),
         overrides: arguments.strict.overrides(arguments.program.overrides()?),
         diagnostics: arguments.diagnostics.wanted(),
         encoding: arguments.program.encoding(),
-        engine: arguments.engine,
         cycle: arguments.cycle,
         limit: arguments.limit,
         scans: arguments.scans,
         timeout: arguments.timeout,
         coverage: (arguments.coverage.is_some() || arguments.coverage_html.is_some()).then(Arc::default),
-        svg: arguments.svg.clone(),
         rules: Rules::default(),
     };
     let Discovered { mut cases, folders } = discovery::cases(&arguments.paths, &arguments.tests, &conditions)?;
@@ -166,7 +167,7 @@ fn once(arguments: &Arguments) -> Result<Exit, Failure> {
     }
     if arguments.list {
         // Programs that do not check themselves are no tests.
-        cases.retain(|case| case.perhaps.as_ref().is_none_or(|program| self_checking::is_test(program, &conditions)));
+        cases.retain(|case| case.perhaps.as_ref().is_none_or(|program| discovery::checks_itself(program, &conditions)));
         list(arguments, &cases)?;
         return Ok(Exit::Success);
     }
@@ -174,7 +175,7 @@ fn once(arguments: &Arguments) -> Result<Exit, Failure> {
         folders.iter().try_for_each(|folder| output::print(&format!("{}\n", folder.sentence())))?;
     }
     if let Some(seed) = arguments.seed {
-        testing::shuffle(&mut cases, seed);
+        shuffle(&mut cases, seed);
     }
     let threads = arguments.jobs.map_or_else(|| std::thread::available_parallelism().map_or(1, usize::from), usize::from);
     let begun = Instant::now();
@@ -199,7 +200,7 @@ fn once(arguments: &Arguments) -> Result<Exit, Failure> {
             written = written.and(files::write_whole(path, coverage.lcov().as_bytes()));
         }
         if let Some(folder) = &arguments.coverage_html {
-            let html = coverage.write_html(folder, &report::count(&finished));
+            let html = coverage_pages::write(coverage, folder, &report::count(&finished));
             written = written.and(html.map(|index| pages = Some(paths::shown(&index))));
         }
     }
@@ -242,7 +243,7 @@ fn once(arguments: &Arguments) -> Result<Exit, Failure> {
     {
         output::message(&format!("{line}\n"));
     }
-    Ok(if finished.is_empty() { Exit::CheckFailed } else { report::exit(&finished) })
+    Ok(if finished.is_empty() { Exit::CheckFailed } else { testing::exit(report::worst(&finished)) })
 }
 
 /// The names of the tests.

@@ -4,11 +4,12 @@ use std::path::PathBuf;
 
 use clap::Args;
 use sieben_model::problems::Problem;
+use sieben_workspace::names::split_list;
 
 use crate::control::Client;
 use crate::control::client::silent;
 use crate::failure::{Exit, Failure};
-use crate::names::split_list;
+
 use crate::palette::Palette;
 use crate::top::{self, Left, Onlooker};
 use crate::{output, terminal};

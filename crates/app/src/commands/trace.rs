@@ -14,20 +14,25 @@ use sieben_sim::timing_diagram::{self, Mark, Options, SVG_WIDTH, TEXT_WIDTH, WID
 use sieben_sim::trace::recorder::BEFORE_MAX;
 use sieben_sim::trace::trigger::TriggerError;
 use sieben_sim::trace::{Keep, Moment, Recorder, Store, Trace, TraceError, Trigger, csv, vcd};
+use sieben_workspace::Refusal;
+use sieben_workspace::controller;
+use sieben_workspace::duration;
+use sieben_workspace::failed::{Failed, Heard};
+use sieben_workspace::names;
+use sieben_workspace::project::Build;
+use sieben_workspace::tracing::channels;
+use sieben_workspace::tracing::scenario::{origin, rack};
 
 use crate::arguments::{FaultArguments, ProgramArguments};
 use crate::duration::duration_argument;
 use crate::engines::EngineArgument;
-use crate::failed::{Failed, Heard};
 use crate::failure::{Exit, Failure};
 use crate::paths::{self, is_scenario};
-use crate::project::Build;
 use crate::schedule::ScheduleArguments;
-use crate::tracing::channels;
 use crate::tracing::file::{Disk, Spill};
 use crate::tracing::output::{unreadable, unwritable, write};
-use crate::tracing::scenario::{self, origin};
-use crate::{controller, duration, names, output, report};
+use crate::tracing::scenario;
+use crate::{output, report};
 
 /// Record values over many scans and draw them as a timing diagram.
 #[derive(Args)]
@@ -184,14 +189,14 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         Ok(build) => build,
         Err(exit) => return Ok(exit),
     };
-    let loaded = controller::loaded(&build, arguments.engine, StatusBits::All);
+    let loaded = controller::loaded(&build, arguments.engine.factory(StatusBits::All));
     let mut cpu = Cpu::new(loaded.clone(), controller::rack(&build), controller::settings(&build));
     arguments.faults.inject(&mut cpu)?;
     let recorder = recorder(arguments, &build, &cpu)?;
     let (trace, outcome) = match &scenario {
         Some((path, scenario)) => {
             let mut fresh = || {
-                let mut cpu = Cpu::new(loaded.clone(), scenario::rack(&build, scenario), controller::settings(&build));
+                let mut cpu = Cpu::new(loaded.clone(), rack(&build, scenario), controller::settings(&build));
                 // They were taken by the CPU above; a scenario with other modules has none that could fail.
                 let _ = arguments.faults.inject(&mut cpu);
                 cpu
@@ -205,7 +210,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
             let mut outcome = Outcome::default();
             cpu.restart(Restart::Warm);
             changes.begin(&mut cpu)?;
-            for scan in 0..schedule.len() {
+            for scan in 0..schedule.scans() {
                 let now_us = schedule.begin_us(scan);
                 changes.apply(&mut cpu, now_us)?;
                 cpu.scan(now_us);
@@ -252,13 +257,13 @@ fn recorder(arguments: &Arguments, build: &Build, cpu: &Cpu) -> Result<Recorder,
 fn trigger(text: &str, build: &Build, cpu: &Cpu) -> Result<Trigger, Failure> {
     let symbols = &build.project.symbols;
     let trigger = Trigger::parse(text, symbols, cpu.program()).map_err(|error| match error {
-        TriggerError::Form(message) => Failure::usage(Problem::P7030, message),
+        TriggerError::Form(message) => Refusal::new(Problem::P7030, message),
         // Says it again with the nearest symbol.
         TriggerError::Name(name, error) => match names::resolve(&name, symbols, cpu) {
-            Err(failure) => failure,
-            Ok(_) => Failure::usage(Problem::P7003, error.to_string()),
+            Err(refusal) => refusal,
+            Ok(_) => Refusal::new(Problem::P7003, error.to_string()),
         },
-        TriggerError::Value(error) => Failure::usage(Problem::P7004, error.to_string()),
+        TriggerError::Value(error) => Refusal::new(Problem::P7004, error.to_string()),
     })?;
     if let Some(name) = trigger.name() {
         names::resolve(name.text(), symbols, cpu)?;
@@ -303,7 +308,7 @@ fn draw(arguments: &Arguments, from: &Path, paths: &[PathBuf]) -> Result<Exit, F
     }
     let trace = Trace::open(Box::new(Disk::open(from)?)).map_err(|error| {
         let failure = unreadable(&error);
-        Failure { message: format!("`{}`: {}", from.display(), failure.message), ..failure }
+        Failure::usage(failure.refusal.problem, format!("`{}`: {}", from.display(), failure.refusal.message))
     })?;
     if !paths.is_empty() {
         let build = match super::or_report(arguments.program.load(paths)?.compile(arguments.program.overrides()?, false), arguments.json) {
@@ -319,8 +324,8 @@ fn draw(arguments: &Arguments, from: &Path, paths: &[PathBuf]) -> Result<Exit, F
     if !trace.is_whole() {
         let message = format!("`{}` was cut off: {} scans are whole", from.display(), trace.summary().scans);
         report::print(
-            &[crate::report::Finding::file(Problem::P6263, from.to_string_lossy(), message)],
-            &crate::report::Texts::default(),
+            &[sieben_workspace::finding::Finding::file(Problem::P6263, from.to_string_lossy(), message)],
+            &sieben_workspace::finding::Texts::default(),
             false,
         );
     }
@@ -518,7 +523,7 @@ fn told(arguments: &Arguments, build: &Build, outcome: &Outcome) -> Result<Exit,
     if outcome.untriggered {
         let (trigger, scans) = (arguments.trigger.as_deref().unwrap_or_default(), outcome.scans);
         let message = format!("`{trigger}` did not come in {scans} scans; shown are the last of them");
-        return Err(Failure { exit: Exit::CheckFailed, ..Failure::usage(Problem::P7031, message) });
+        return Err(Failure { exit: Exit::CheckFailed, refusal: Refusal::new(Problem::P7031, message) });
     }
     Ok(if outcome.failures.is_empty() { Exit::Success } else { Exit::CheckFailed })
 }

@@ -11,10 +11,10 @@ use std::time::Duration;
 use rustix::fs::{AtFlags, FileType, FlockOperation, Mode, Stat};
 use rustix::io::Errno;
 use rustix::net::{AddressFamily, SocketAddrUnix, SocketFlags, SocketType};
+use sieben_workspace::settings;
 
 use crate::folder::Folder;
 use crate::programs::{self, Kind};
-use crate::settings;
 
 /// The folder in that of a project.
 const PROJECT_FOLDER: &str = ".sieben";

@@ -27,11 +27,11 @@ use sieben_lang::network::statement::Statement;
 use sieben_model::block::BlockId;
 use sieben_model::problems::Problem;
 use sieben_model::source::{FileId, Span};
+use sieben_workspace::controller;
+use sieben_workspace::places::Places;
+use sieben_workspace::project::Build;
 
-use crate::controller;
 use crate::failure::Failure;
-use crate::places::Places;
-use crate::project::Build;
 
 /// How networks are shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -8,9 +8,9 @@ use sieben_ide::drawing::page::{self, BlockPage, NetworkPage, PageContent, Symbo
 use sieben_ide::drawing::svg;
 use sieben_ide::target::Target;
 use sieben_model::block::BlockId;
+use sieben_workspace::controller;
 
 use super::{CodeBlock, Diagrams, ElementPlaces, Form, Shown, Written};
-use crate::controller;
 
 /// Places of a symbol that are listed; a clock memory bit is used in hundreds.
 const REFERENCES_MAX: usize = 20;

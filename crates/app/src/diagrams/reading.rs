@@ -14,10 +14,10 @@ use sieben_lang::stl::redraw::{SourceBlock, statement_line};
 use sieben_model::block::BlockId;
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::source::FileId;
+use sieben_workspace::project::Build;
 
 use super::sources::block_numbered;
 use super::{Blocks, CodeBlock, ElementPlaces, Written, sources};
-use crate::project::Build;
 
 /// The blocks of STL of the user, with what stands in their sources.
 pub(crate) fn blocks(build: &Build) -> Blocks {

@@ -6,10 +6,10 @@ use sieben_model::address::Operand;
 use sieben_model::block::BlockId;
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
+use sieben_workspace::controller::name_in_source;
+use sieben_workspace::project::{Build, SourceFile};
 
-use crate::controller::name_in_source;
 use crate::failure::Failure;
-use crate::project::{Build, SourceFile};
 
 /// The sources of a program that have networks, each with its blocks.
 pub(crate) fn sources(build: &Build) -> Vec<(&SourceFile, Source<'_>)> {

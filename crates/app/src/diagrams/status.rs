@@ -9,9 +9,9 @@ use sieben_ide::drawing::flow::{Executed, Status};
 use sieben_model::block::BlockId;
 use sieben_model::symbols::SymbolTable;
 use sieben_sim::names::Name;
+use sieben_workspace::names;
 
 use super::Written;
-use crate::names;
 
 /// Watches the statements of one network; keeps what they did when they were executed last.
 #[derive(Debug)]

@@ -4,11 +4,11 @@ use std::path::PathBuf;
 
 use clap::Args;
 use sieben_cpu::{Cpu, Restart};
+use sieben_workspace::project::Project;
 
 use super::disk::behind_links;
 use super::retention::{Choice, SYNC, adopt_only};
 use crate::failure::Failure;
-use crate::project::Project;
 
 /// The options of a verb that runs a CPU.
 #[derive(Args)]

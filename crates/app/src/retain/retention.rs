@@ -9,6 +9,7 @@ use serde_json::{Value, json};
 use sieben_cpu::retain::{Adoption, Refusal, Restored, data_blocks};
 use sieben_cpu::{Cpu, DataLoss};
 use sieben_model::problems::Problem;
+use sieben_workspace::finding::{Finding, Texts};
 
 use super::disk::{Disk, FOLDER, RealDisk, behind_links, foreign, with_ending};
 use super::lock::NoLock;
@@ -17,7 +18,7 @@ use super::slots::{self, Contents, Slots};
 use super::store::{Change, Store, synced_path};
 use crate::failure::Failure;
 use crate::output;
-use crate::report::{self, Finding, Texts};
+use crate::report;
 
 /// The file in the folder of a project for what a run leaves there.
 const FILE: &str = "retain.bin";

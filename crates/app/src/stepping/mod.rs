@@ -1,544 +1,60 @@
-//! The microscope: a run one statement at a time, forwards and back, with breakpoints and the reason of every statement.
-//!
-//! [`Stepper`] is what the line form, the JSON form and the screen work on.
+//! The microscope on the terminal: the source, the registers, the reason, and keys for every step there and back.
 
+mod draw;
+mod keys;
+mod picture;
 #[cfg(test)]
 mod tests;
+pub(crate) mod words;
 
-mod changes;
-pub(crate) mod commands;
-mod listing;
-mod movement;
-pub(crate) mod recording;
-pub(crate) mod screen;
-pub(crate) mod table;
-pub(crate) mod texts;
+use std::io;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
 
-use sieben_cpu::{Cpu, OperatingMode};
-use sieben_engine::FaultPlace;
-use sieben_engine::machine::Registers;
-use sieben_lang::reason::{Moment, Reasons};
-use sieben_model::block::BlockId;
-use sieben_model::interface::Section;
-use sieben_model::symbols::SymbolTable;
-use sieben_model::types::DataType;
-use sieben_sim::history::{
-    Breakpoint, Breakpoints, By, Condition, Halt, History, Hit, Plan, Position, StoreIfRlo, Target, Until, Unwatched, Watch,
-};
-use sieben_sim::names::{Name, NameError, Scope, Setting, Shown};
+use ratatui::DefaultTerminal;
+use ratatui::crossterm::event::Event;
+use sieben_workspace::session::Session;
 
-pub(crate) use changes::Change;
-pub(crate) use listing::{Goal, Line, Listing};
-pub(crate) use movement::{Direction, Unit};
-use movement::{Networks, StepEnd};
-pub(crate) use sieben_lang::reason::Language;
+use crate::terminal::{self, Input};
+use picture::Screen;
 
-use crate::project::Build;
+/// How long a key is waited for before it is looked whether the program is to end.
+const WAIT: Duration = Duration::from_millis(100);
 
-/// Statements that one movement runs at most: a program that never comes to a breakpoint must come to an end.
-pub(crate) const STATEMENTS_MAX: u64 = 1_000_000;
-
-/// Steps of one command over a call, to a network or to a block. Each one back runs a part of the history again.
-const STEPS_MAX: u64 = 1_000;
-/// Breakpoints and watched values at most.
-pub(crate) const BREAKPOINTS_MAX: usize = 100;
-
-/// Where a run stands, ready to be shown.
-#[derive(Clone, Debug)]
-pub(crate) struct View {
-    /// Statements executed since the beginning.
-    pub(crate) position: u64,
-    /// Statements of the whole recorded run.
-    pub(crate) end: u64,
-    /// Number of the scan, the first is 0 as with `exec`; `None` while the CPU starts.
-    pub(crate) scan: Option<u64>,
-    /// Virtual time in microseconds.
-    pub(crate) time_us: u64,
-    /// Nothing recorded lies ahead.
-    pub(crate) present: bool,
-    /// The statement that was executed last; `None` at the beginning.
-    pub(crate) executed: Option<Line>,
-    /// The statement that comes next; `None` between two scans.
-    pub(crate) next: Option<Line>,
-    /// Registers after the last statement.
-    pub(crate) registers: Vec<(&'static str, String)>,
-    /// Registers and memory that the last statement has changed.
-    pub(crate) changed: Vec<Change>,
-    /// The blocks that run, outermost first.
-    pub(crate) stack: Vec<BlockId>,
-    /// What the CPU does.
-    pub(crate) mode: OperatingMode,
-    /// Breakpoints that paused the last movement, and what changed.
-    pub(crate) hits: Vec<String>,
+/// Takes over the terminal until the user quits, the terminal goes or `interrupted` is set.
+///
+/// # Errors
+/// The terminal does not work. It is restored in any case, also if we panic.
+pub(crate) fn run(session: &mut Session, colour: bool, interrupted: &AtomicBool) -> io::Result<()> {
+    let mut display = ratatui::try_init()?;
+    let screen = Screen::new(session, colour);
+    let result = play(&mut display, session, screen, interrupted);
+    terminal::restore(display);
+    result
 }
 
-/// Values of one variable of a block that are shown at most.
-const LOCALS_MAX: usize = 32;
-
-/// A variable of the block where the run stands.
-#[derive(Clone, Debug)]
-pub(crate) struct LocalValue {
-    pub(crate) section: Section,
-    /// `#level`, `#list[2]`.
-    pub(crate) name: Name,
-    pub(crate) data_type: DataType,
-    /// `None` if it lies nowhere: a parameter in the peripheral.
-    pub(crate) value: Option<Shown>,
-}
-
-/// Who changed a value last.
-#[derive(Clone, Debug)]
-pub(crate) struct Who {
-    /// Who it was.
-    pub(crate) by: By,
-    /// The statement after which it had changed; `None` if no statement did it.
-    pub(crate) line: Option<Line>,
-    /// Statements executed then.
-    pub(crate) position: u64,
-    /// Number of the scan, the first is 0; `None` while the CPU starts.
-    pub(crate) scan: Option<u64>,
-    /// The value before and after.
-    pub(crate) change: (String, String),
-}
-
-/// The statement that wrote a value without changing it.
-#[derive(Clone, Debug)]
-pub(crate) struct Writer {
-    /// The statement.
-    pub(crate) line: Line,
-    /// Statements executed then.
-    pub(crate) position: u64,
-    /// Number of the scan, the first is 0; `None` while the CPU starts.
-    pub(crate) scan: Option<u64>,
-    /// Why it did not change it.
-    pub(crate) reason: String,
-}
-
-/// A run under the microscope.
-pub(crate) struct Stepper<'b> {
-    build: &'b Build,
-    listing: Listing<'b>,
-    history: History,
-    networks: Networks,
-    breakpoints: Vec<Breakpoint>,
-    watched: Vec<Name>,
-    numbered: u32,
-    hits: Vec<Hit>,
-    if_rlo: StoreIfRlo,
-    /// The language that everything is said in.
-    pub(crate) language: Language,
-}
-
-impl<'b> Stepper<'b> {
-    /// A run that has not begun. The CPU is in STOP, in virtual time, with the program of the build.
-    pub(crate) fn new(build: &'b Build, cpu: Cpu, plan: Plan) -> Self {
-        Self::with_history(build, History::new(cpu, plan))
-    }
-
-    /// A run that has a history, of this program.
-    pub(crate) fn with_history(build: &'b Build, history: History) -> Self {
-        let networks = build.compiled.bodies.iter().map(|(&id, body)| (id, body.networks())).collect();
-        Self {
-            build,
-            listing: Listing::new(build),
-            history,
-            networks,
-            breakpoints: Vec::new(),
-            watched: Vec::new(),
-            numbered: 0,
-            hits: Vec::new(),
-            if_rlo: if_rlo(build),
-            language: Language::English,
-        }
-    }
-
-    /// A text in the language of this microscope, with values in their places.
-    pub(crate) fn say(&self, text: texts::Text, values: &[&dyn std::fmt::Display]) -> String {
-        texts::fill(self.language, text, values)
-    }
-
-    /// The history of the run.
-    pub(crate) fn history(&self) -> &History {
-        &self.history
-    }
-
-    /// The CPU where the run stands.
-    pub(crate) fn cpu(&self) -> &Cpu {
-        self.history.cpu()
-    }
-
-    /// The program.
-    pub(crate) fn build(&self) -> &'b Build {
-        self.build
-    }
-
-    /// The statements of the program.
-    pub(crate) fn listing(&self) -> &Listing<'b> {
-        &self.listing
-    }
-
-    /// All breakpoints.
-    pub(crate) fn breakpoints(&self) -> &[Breakpoint] {
-        &self.breakpoints
-    }
-
-    /// Values that are shown after every movement.
-    pub(crate) fn watched(&self) -> &[Name] {
-        &self.watched
-    }
-
-    fn symbols(&self) -> &'b SymbolTable {
-        &self.build.project.symbols
-    }
-
-    /// The registers after the last statement.
-    pub(crate) fn registers(&self) -> Registers {
-        match self.history.last() {
-            Some(event) if self.history.cpu().is_paused() => event.after.clone(),
-            _ => self.cpu().registers().clone(),
-        }
-    }
-
-    /// One step, so many times.
-    pub(crate) fn step(&mut self, unit: Unit, direction: Direction, times: u64) -> Halt {
-        self.hits.clear();
-        match (unit, direction) {
-            (Unit::Statement, Direction::Forward) => match self.history.forward(times.min(STATEMENTS_MAX)) {
-                Halt::Reached if times > STATEMENTS_MAX => Halt::Limit,
-                halt => halt,
-            },
-            (Unit::Statement, Direction::Back) => self.history.back(times),
-            (Unit::Scan, Direction::Forward) => {
-                match self.history.run(Until { statements: STATEMENTS_MAX, scans: times }, &mut Unwatched) {
-                    Halt::Reached => Halt::Limit,
-                    halt => halt,
-                }
+fn play(display: &mut DefaultTerminal, session: &mut Session, mut screen: Screen, interrupted: &AtomicBool) -> io::Result<()> {
+    loop {
+        let picture = screen.picture(session);
+        display.draw(|frame| draw::draw(frame, &picture))?;
+        let rows = draw::source_rows(display.size()?.height);
+        // The picture only changes with a key: nothing runs by itself.
+        loop {
+            if interrupted.load(Ordering::Relaxed) {
+                return Ok(());
             }
-            (Unit::Scan, Direction::Back) => self.history.back_scans(times),
-            _ => {
-                let mut halt = Halt::Reached;
-                let from = self.history.position().statements;
-                for done in 0..times {
-                    let passed = self.history.position().statements.abs_diff(from);
-                    // Scans without any statement pass none.
-                    if done >= STEPS_MAX || direction == Direction::Forward && passed >= STATEMENTS_MAX {
-                        return Halt::Limit;
+            match terminal::input(WAIT)? {
+                Input::Gone => return Ok(()),
+                Input::Event(Event::Key(key)) => {
+                    let Some(command) = keys::command(key, screen.is_typing()) else { continue };
+                    if screen.act(session, command, rows) {
+                        return Ok(());
                     }
-                    halt = self.step_to_end(unit, direction);
-                    if matches!(halt, Halt::Beginning | Halt::Forgotten | Halt::Limit | Halt::Stopped | Halt::NoMoreScans) {
-                        break;
-                    }
+                    break;
                 }
-                halt
+                Input::Event(Event::Resize(..)) => break,
+                Input::Event(_) | Input::Nothing => {}
             }
         }
-    }
-
-    fn step_to_end(&mut self, unit: Unit, direction: Direction) -> Halt {
-        let depth = self.cpu().machine().frames.len().max(1);
-        let mut end = StepEnd::new(unit, direction, depth, self.history.next_place(), &self.networks);
-        match direction {
-            // A scan's end is the end of every block.
-            Direction::Forward => match self.history.run(Until { statements: STATEMENTS_MAX, scans: 1 }, &mut end) {
-                Halt::Watch | Halt::ScanEnd => Halt::Reached,
-                Halt::Reached => Halt::Limit,
-                halt => halt,
-            },
-            Direction::Back => match self.history.find_back(false, &mut end) {
-                Ok(found) => self.history.go_to_position(found),
-                Err(halt) => self.go_to_first(halt),
-            },
-        }
-    }
-
-    /// Runs to a breakpoint, or so many statements; back too.
-    pub(crate) fn run(&mut self, direction: Direction, statements: u64) -> Halt {
-        self.hits.clear();
-        match direction {
-            Direction::Forward => {
-                let mut watch = Breakpoints::new(&mut self.breakpoints, &self.if_rlo);
-                let halt = self.history.run(Until { statements, scans: u64::MAX }, &mut watch);
-                let hits = std::mem::take(&mut watch.hits);
-                if halt == Halt::Watch {
-                    self.hits = hits;
-                }
-                if halt == Halt::Reached { Halt::Limit } else { halt }
-            }
-            Direction::Back => {
-                // Counting backwards has no meaning: every one counts.
-                let mut breakpoints: Vec<Breakpoint> = self.breakpoints.iter().map(|one| Breakpoint { every: 1, ..one.clone() }).collect();
-                let mut watch = Breakpoints::new(&mut breakpoints, &self.if_rlo);
-                match self.history.find_back(false, &mut watch) {
-                    Ok(found) => {
-                        self.hits = std::mem::take(&mut watch.hits);
-                        self.history.go_to_position(found);
-                        Halt::Watch
-                    }
-                    Err(halt) => self.go_to_first(halt),
-                }
-            }
-        }
-    }
-
-    /// Goes as far back as there is something, for the reason why there is no more.
-    fn go_to_first(&mut self, halt: Halt) -> Halt {
-        let first = self.history.first();
-        self.history.go_to(first);
-        halt
-    }
-
-    /// Which breakpoint paused, and what changed.
-    fn hit_text(&self, hit: &Hit) -> Option<String> {
-        let breakpoint = self.breakpoints.iter().find(|breakpoint| breakpoint.number == hit.number)?;
-        let mut text = self.say(texts::BREAKPOINT, &[&hit.number, &breakpoint.text]);
-        if let (Target::Change(name) | Target::Write(name), Some((before, after))) = (&breakpoint.target, hit.change) {
-            text.push_str(&format!(": {} -> {}", self.shown(name, before), self.shown(name, after)));
-            if !matches!(hit.by, By::Statement(_)) {
-                text.push_str(&self.say(texts::BETWEEN, &[]));
-            }
-        }
-        Some(text)
-    }
-
-    /// Runs on to a place.
-    pub(crate) fn run_to(&mut self, goal: Goal) -> Halt {
-        self.hits.clear();
-        let mut there = At(goal);
-        match self.history.run(Until { statements: STATEMENTS_MAX, scans: u64::MAX }, &mut there) {
-            Halt::Watch => Halt::Reached,
-            Halt::Reached => Halt::Limit,
-            halt => halt,
-        }
-    }
-
-    /// Goes to a position: so many statements since the beginning.
-    pub(crate) fn go_to(&mut self, position: u64) -> Halt {
-        self.hits.clear();
-        let end = self.history.end();
-        if position <= end {
-            return self.history.go_to(position);
-        }
-        self.history.go_to(end);
-        self.history.forward((position - end).min(STATEMENTS_MAX))
-    }
-
-    /// Reads `FC 5:3`, `main.awl:12` or `12`.
-    ///
-    /// # Errors
-    /// There is no such place.
-    pub(crate) fn goal(&self, text: &str) -> Result<Goal, String> {
-        let here = self.history.next_place().or(self.history.last().map(|event| event.place));
-        self.listing.goal(text, here, self.language)
-    }
-
-    /// The block whose variables are called by their names alone: where the run stands.
-    pub(crate) fn here(&self) -> Option<BlockId> {
-        self.history.next_place().or(self.history.last().map(|event| event.place)).map(|place| place.block)
-    }
-
-    /// Variables of a block by their names alone; those of ST are written without `#`.
-    pub(crate) fn scope(&self, block: Option<BlockId>) -> Option<Scope> {
-        let bodies = &self.build.compiled.bodies;
-        block.map(|block| Scope { block, bare: bodies.get(&block).is_none_or(|body| body.has_bare_names()) })
-    }
-
-    /// Reads the name of a value; a variable is one of this block. One of a block that does not run now has a value when it runs.
-    ///
-    /// # Errors
-    /// Nothing is called that.
-    pub(crate) fn name_in(&self, text: &str, block: Option<BlockId>) -> Result<Name, NameError> {
-        let name = Name::parse_in(text, self.scope(block), self.symbols(), self.cpu().program())?;
-        if name.block().is_none() {
-            name.read(self.cpu())?;
-        }
-        Ok(name)
-    }
-
-    /// A name that goes on meaning the same when another instance of its block runs.
-    ///
-    /// # Errors
-    /// It is a variable of an instance, and which one cannot be told here.
-    pub(crate) fn bound(&self, name: Name) -> Result<Name, NameError> {
-        name.of_this_instance(self.cpu().machine(), self.cpu().registers())
-    }
-
-    /// The variables of the block where the run stands, with their values; `None` if no block runs.
-    pub(crate) fn locals(&self) -> Option<(BlockId, Vec<LocalValue>)> {
-        let block = self.history.next_place()?.block;
-        let (machine, registers) = (self.cpu().machine(), self.cpu().registers());
-        let values = sieben_sim::names::variables_of(block, self.cpu().program(), LOCALS_MAX);
-        let value = |(section, name, data_type): (Section, Name, DataType)| LocalValue {
-            section,
-            value: name.shown_in(machine, registers),
-            name,
-            data_type,
-        };
-        Some((block, values.into_iter().map(value).collect()))
-    }
-
-    /// Sets a breakpoint; the number that it got.
-    ///
-    /// # Errors
-    /// There are too many.
-    pub(crate) fn add(&mut self, text: &str, target: Target, only_if: Option<Condition>, every: u64) -> Result<u32, String> {
-        if self.breakpoints.len() >= BREAKPOINTS_MAX {
-            return Err(self.say(texts::BREAKPOINTS_FULL, &[&BREAKPOINTS_MAX]));
-        }
-        self.numbered += 1;
-        let number = self.numbered;
-        self.breakpoints.push(Breakpoint { number, text: text.to_owned(), target, only_if, every, times: 0 });
-        Ok(number)
-    }
-
-    /// Deletes a breakpoint; `false` if there is none with this number.
-    pub(crate) fn delete(&mut self, number: u32) -> bool {
-        let count = self.breakpoints.len();
-        self.breakpoints.retain(|breakpoint| breakpoint.number != number);
-        self.breakpoints.len() < count
-    }
-
-    /// Sets a breakpoint at a place, or deletes the one that is there.
-    pub(crate) fn toggle(&mut self, goal: Goal) -> Result<(), String> {
-        let target = Target::Statement(goal.place, goal.last);
-        if let Some(number) = self.breakpoints.iter().find(|one| one.target == target).map(|one| one.number) {
-            self.delete(number);
-            return Ok(());
-        }
-        let line = self.listing.line(goal.place);
-        self.add(&format!("{}:{}", line.file, line.line), target, None, 1).map(drop)
-    }
-
-    /// Shows a value after every movement.
-    ///
-    /// # Errors
-    /// There are too many.
-    pub(crate) fn show(&mut self, name: Name) -> Result<(), String> {
-        if self.watched.len() >= BREAKPOINTS_MAX {
-            return Err(self.say(texts::WATCHED_FULL, &[&BREAKPOINTS_MAX]));
-        }
-        self.watched.push(name);
-        Ok(())
-    }
-
-    /// Sets a value here and now; what was recorded ahead is forgotten.
-    ///
-    /// # Errors
-    /// It cannot be set.
-    pub(crate) fn set(&mut self, setting: Setting) -> Result<(), NameError> {
-        self.history.set(setting)
-    }
-
-    /// Who changed a value last, before now; `None` if nobody did since the beginning, or since what is kept.
-    pub(crate) fn who(&mut self, name: &Name) -> Option<Who> {
-        let (position, hit) = self.last_hit(Target::Change(name.clone()))?;
-        let here = self.history.position();
-        self.history.go_to_position(position);
-        let scan = self.history.scans().checked_sub(1);
-        self.history.go_to_position(here);
-        let (before, after) = hit.change.unwrap_or_default();
-        let line = match hit.by {
-            By::Statement(place) => Some(self.listing.line(place)),
-            _ => None,
-        };
-        Some(Who { line, by: hit.by, position: position.statements, scan, change: (self.shown(name, before), self.shown(name, after)) })
-    }
-
-    /// When something happened last, at or before now.
-    fn last_hit(&mut self, target: Target) -> Option<(Position, Hit)> {
-        let mut one = [Breakpoint { number: 0, text: String::new(), target, only_if: None, every: 1, times: 0 }];
-        let mut watch = Breakpoints::new(&mut one, &self.if_rlo);
-        let found = self.history.find_back(true, &mut watch).ok()?;
-        Some((found, watch.hits.into_iter().next()?))
-    }
-
-    /// The statement that wrote a value last without changing it, for a value that stays what it is; `None` if none has.
-    pub(crate) fn writer(&mut self, name: &Name) -> Option<Writer> {
-        let (found, hit) = self.last_hit(Target::Write(name.clone()))?;
-        let By::Statement(place) = hit.by else { return None };
-        let here = self.history.position();
-        self.history.go_to_position(found);
-        self.history.look_closely();
-        let scan = self.history.scans().checked_sub(1);
-        let writer = Writer { line: self.listing.line(place), position: found.statements, scan, reason: self.reason() };
-        self.history.go_to_position(here);
-        Some(writer)
-    }
-
-    /// Where the run stands.
-    pub(crate) fn view(&mut self) -> View {
-        self.history.look_closely();
-        let history = &self.history;
-        let accumulators = self.build.cpu.accumulators;
-        let after = self.registers();
-        let mut changed = Vec::new();
-        if let Some(event) = history.last() {
-            changed = changes::of_registers(&event.before, &event.after, accumulators);
-            if let Some(around) = history.around() {
-                let written = self.written(event.place);
-                let (program, mnemonics) = (self.cpu().program(), self.listing.places.mnemonics);
-                changed.extend(changes::of_memory(&around.before, &around.after, written.as_ref(), program, mnemonics));
-            }
-        }
-        let place = |place: Option<FaultPlace>| place.map(|place| self.listing.line(place));
-        View {
-            position: history.position().statements,
-            end: history.end(),
-            scan: history.scans().checked_sub(1),
-            time_us: history.cpu().time_us(),
-            present: history.is_at_present(),
-            executed: place(history.last().map(|event| event.place)),
-            next: place(history.next_place()),
-            registers: changes::registers(&after, accumulators),
-            changed,
-            stack: history.cpu().machine().frames.iter().map(|frame| frame.block).collect(),
-            mode: history.cpu().mode(),
-            hits: self.hits.iter().filter_map(|hit| self.hit_text(hit)).collect(),
-        }
-    }
-
-    /// Why the last statement did what it did, in one sentence; empty if nothing has run.
-    pub(crate) fn reason(&mut self) -> String {
-        self.history.look_closely();
-        let (Some(event), Some(around)) = (self.history.last(), self.history.around()) else { return String::new() };
-        let stopped = self.cpu().stop_cause().filter(|_| self.cpu().mode() == OperatingMode::Stop);
-        let fault = stopped.filter(|cause| cause.place == Some(event.place)).map(|cause| cause.first_event);
-        let moment = Moment { event, before: Some(&around.before), after: &around.after, fault };
-        Reasons::new(&self.build.compiled, &self.build.project.texts.program, self.symbols()).sentence(&moment, self.language)
-    }
-
-    /// The operand of a statement, if it names a single value.
-    fn written(&self, place: FaultPlace) -> Option<Name> {
-        let text = self.listing.line(place).text;
-        let operand = self.build.compiled.bodies.get(&place.block)?.value_in(&text)?;
-        Name::parse_in(operand, self.scope(Some(place.block)), self.symbols(), self.cpu().program()).ok()
-    }
-
-    /// The value of a name here, as people read it.
-    pub(crate) fn value(&self, name: &Name) -> String {
-        match (name.read(self.cpu()), name.block()) {
-            (Ok(shown), _) => shown.to_string(),
-            (Err(_), Some(block)) => self.say(texts::NOT_HERE, &[&block]),
-            (Err(_), None) => self.say(texts::NOT_LOADED, &[]),
-        }
-    }
-
-    /// A value as people read it, or that it is not there.
-    fn shown(&self, name: &Name, bits: Option<u64>) -> String {
-        bits.map_or_else(|| self.say(texts::NOT_THERE, &[]), |bits| name.show_bits(bits).to_string())
-    }
-}
-
-/// The statements that store something only where the RLO is 1.
-fn if_rlo(build: &Build) -> StoreIfRlo {
-    let bodies = build.compiled.bodies.iter();
-    bodies.flat_map(|(&block, body)| body.stores_if_rlo().into_iter().map(move |number| (block, number))).collect()
-}
-
-/// Pauses at a place.
-struct At(Goal);
-
-impl Watch for At {
-    fn before(&mut self, _machine: &sieben_engine::Machine, place: FaultPlace) -> bool {
-        place.block == self.0.place.block && (self.0.place.statement..=self.0.last).contains(&place.statement)
     }
 }

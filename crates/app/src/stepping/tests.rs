@@ -1,117 +1,158 @@
-//! Whatever stands in a line of commands, the run stays what it is.
+//! What the microscope shows, drawn into memory.
 
-use std::path::PathBuf;
-use std::time::{SystemTime, UNIX_EPOCH};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
-use proptest::prelude::*;
-use sieben_jit::StatusBits;
+use ratatui::Terminal;
+use ratatui::backend::TestBackend;
+use sieben_engine::Interpreter;
 use sieben_sim::history::Plan;
+use sieben_workspace::controller;
+use sieben_workspace::project::{Build, Overrides};
+use sieben_workspace::session::{Direction, Language, Session, Unit};
 
-use super::commands::{ROWS, carry_out};
-use super::{Language, Stepper, table};
-use crate::controller;
-use crate::engines::EngineArgument;
-use crate::project::{Build, Overrides, Project};
-
-const SOURCE: &str = "DATA_BLOCK DB 1\nSTRUCT\n n : INT;\nEND_STRUCT\nBEGIN\nEND_DATA_BLOCK\nFUNCTION FC 1 : VOID\nVAR_TEMP\n n : INT;\nEND_VAR\nBEGIN\nL DB1.n\nT #n\n+ 1\nT DB1.n\n\
-    END_FUNCTION\nORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\nA I 0.0\n= Q 4.0\nend: NOP 0\nNETWORK\nUC FC 1\nL DB1.n\nT MW 10\nEND_ORGANIZATION_BLOCK\n";
+use super::draw;
+use super::keys::Command;
+use super::picture::Screen;
+use crate::project;
 
 fn build() -> Build {
-    let now = SystemTime::now().duration_since(UNIX_EPOCH).expect("a clock after 1970").as_nanos();
-    let path: PathBuf = std::env::temp_dir().join(format!("sieben-step-{}-{now}.awl", std::process::id()));
-    std::fs::write(&path, SOURCE).expect("the folder for temporary files is writable");
-    let project = Project::load(std::slice::from_ref(&path), None).expect("the source is read");
-    std::fs::remove_file(&path).expect("the source can be removed");
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/dosing");
+    let paths: Vec<PathBuf> = ["dosing.awl", "symbols.csv"].iter().map(|name| root.join(name)).collect();
+    let project = project::load(&paths, None).unwrap_or_else(|failure| panic!("{}", failure.render(false)));
     project.compile(Overrides::default(), false)
 }
 
-/// Words that commands are made of, good and bad.
-fn word() -> impl Strategy<Value = String> {
-    let words = [
-        "1",
-        "2",
-        "17",
-        "0",
-        "-1",
-        "99999999999999999999",
-        "FC1:2",
-        "#n",
-        "#n=3",
-        "write #n",
-        "write Q4.0",
-        "FC 1.#n",
-        "LW 0",
-        "if #n > 1",
-        "FC1:9",
-        "OB1:end",
-        "OB 1:1",
-        ":",
-        "1:",
-        "MW10",
-        "MW 10 > 3",
-        "DB1.n",
-        "DB1.n=5",
-        "I0.0=1",
-        "I0.0",
-        "Q4.0",
-        "if",
-        "every",
-        "back",
-        "over",
-        "scan",
-        "=",
-        ">",
-        "<>",
-        "\"",
-        "\"a",
-        "[",
-        "16#",
-        "STW",
-        "STW.RLO",
-        "T1",
-        "C1=5",
-        "é",
-        "\u{0}",
-        ",",
-        "goto",
-    ];
-    prop_oneof![3 => proptest::sample::select(words.to_vec()).prop_map(str::to_owned), 1 => "\\PC{0,8}"]
+fn session(build: Build) -> Session {
+    let cpu = controller::load(&build, Interpreter::load, controller::settings(&build));
+    Session::new(Arc::new(build), cpu, Plan::new(10_000, None, Vec::new()))
 }
 
-fn line() -> impl Strategy<Value = String> {
-    let verbs: Vec<&'static str> = ROWS.iter().flat_map(|row| row.names.iter().copied()).collect();
-    (proptest::sample::select(verbs), proptest::collection::vec(word(), 0..4))
-        .prop_map(|(verb, words)| format!("{verb} {}", words.join(" ")))
+/// The screen behind these commands.
+fn shown(commands: &[Command], language: Language, (width, height): (u16, u16)) -> String {
+    let mut session = session(build());
+    session.language = language;
+    let mut screen = Screen::new(&mut session, true);
+    for &command in commands {
+        assert!(!screen.act(&mut session, command, 10), "{command:?} does not leave");
+    }
+    let picture = screen.picture(&mut session);
+    let mut terminal = Terminal::new(TestBackend::new(width, height)).expect("a backend in memory");
+    terminal.draw(|frame| draw::draw(frame, &picture)).expect("a backend in memory");
+    terminal.backend().to_string()
+}
+
+const STEP: Command = Command::Step(Unit::Statement, Direction::Forward);
+const BACK: Command = Command::Step(Unit::Statement, Direction::Back);
+
+#[test]
+fn the_screen_shows_source_registers_and_reason() {
+    insta::assert_snapshot!(shown(&[STEP, STEP, STEP], Language::English, (80, 24)));
 }
 
 #[test]
-fn no_line_of_commands_breaks_the_stepper() {
-    let build = build();
-    let settings = controller::settings(&build);
-    proptest!(ProptestConfig { cases: 256, failure_persistence: None, ..ProptestConfig::default() }, |(lines in proptest::collection::vec(line(), 1..25))| {
-        let cpu = controller::load(&build, EngineArgument::Interpreter, StatusBits::All, settings.clone());
-        let mut stepper = Stepper::new(&build, cpu, Plan::new(10_000, Some(40), Vec::new()));
-        stepper.language = Language::German;
-        for line in &lines {
-            let before = stepper.history().position();
-            match carry_out(&mut stepper, line, &mut |_| {}) {
-                Ok(answer) => {
-                    let _ = table::answer(&mut stepper, &answer);
-                    let _ = table::answer_json(&mut stepper, line, &answer);
-                }
-                Err(failure) => {
-                    prop_assert!(!failure.message.is_empty());
-                    prop_assert_eq!(before, stepper.history().position());
-                }
-            }
-            let history = stepper.history();
-            prop_assert!(history.position().statements <= history.end());
-        }
-        // Where it stands can be left and found again.
-        let (here, machine) = (stepper.history().position(), stepper.cpu().machine().clone());
-        stepper.history.go_to(0);
-        stepper.history.go_to_position(here);
-        prop_assert_eq!(stepper.history().position(), here);
-        prop_assert!(*stepper.cpu().machine() == machine);
-    });
+fn the_picture_in_the_documentation_is_what_the_screen_shows() {
+    let page = include_str!("../../../../docs/learn/step-through-a-network.md");
+    let picture = page.split("```text\n").nth(1).and_then(|rest| rest.split("```").next()).expect("a picture on the page");
+    let screen = shown(&[STEP, STEP, STEP], Language::English, (80, 24));
+    let shown: Vec<&str> = screen.lines().map(|line| line.trim_matches('"').trim_end()).collect();
+    assert_eq!(picture.lines().collect::<Vec<_>>(), shown);
+}
+
+#[test]
+fn the_screen_speaks_german() {
+    insta::assert_snapshot!(shown(&[STEP, STEP, STEP, Command::Help], Language::German, (80, 24)));
+}
+
+#[test]
+fn a_larger_terminal_shows_more_source() {
+    let commands = [Command::Step(Unit::Scan, Direction::Forward), STEP, Command::Focus, Command::Toggle, STEP, STEP];
+    insta::assert_snapshot!(shown(&commands, Language::English, (120, 40)));
+}
+
+#[test]
+fn a_step_back_shows_what_was_before() {
+    let message = |text: &str| text.lines().last().unwrap_or_default().to_owned();
+    let there = shown(&[STEP, STEP], Language::English, (80, 24));
+    let and_back = shown(&[STEP, STEP, STEP, BACK], Language::English, (80, 24));
+    // The picture is the same but for the header, which tells how much lies ahead.
+    assert_eq!(there.lines().skip(1).collect::<Vec<_>>(), and_back.lines().skip(1).collect::<Vec<_>>());
+    assert!(and_back.lines().next().is_some_and(|header| header.contains("past · ")), "{and_back}");
+    assert!(message(&shown(&[BACK], Language::English, (80, 24))).contains("this is the beginning of the run"));
+}
+
+#[test]
+fn a_breakpoint_at_the_cursor_stops_the_run() {
+    let commands = [Command::Lines(3), Command::Toggle, Command::Run(Direction::Forward)];
+    let text = shown(&commands, Language::English, (80, 24));
+    assert!(text.contains('●') && text.contains("breakpoint 1"), "{text}");
+}
+
+#[test]
+fn a_command_line_takes_every_command() {
+    let type_in = |line: &str| {
+        let mut commands = vec![Command::Prompt("")];
+        commands.extend(line.chars().map(Command::Type));
+        commands.push(Command::Enter);
+        commands
+    };
+    let text = shown(&type_in("watch MW10"), Language::English, (80, 24));
+    let wrong = shown(&type_in("walk"), Language::English, (80, 24));
+    assert!(text.contains("MW10"), "{text}");
+    assert!(wrong.contains("walk"), "{wrong}");
+    // A movement is shown by the screen itself, not by a row of the table.
+    let moved = shown(&type_in("step 3"), Language::English, (80, 24));
+    assert!(moved.lines().last().is_some_and(|line| line.contains("s step")), "{moved}");
+}
+
+#[test]
+fn a_message_is_shown_to_its_end() {
+    let text = shown(&[vec![Command::Prompt("walk")], vec![Command::Enter]].concat(), Language::English, (80, 24));
+    // The longest of all lists every command; the last one stands in its last line.
+    assert!(text.contains("[P7040] Error: `walk` is no command") && text.contains("`help` or `quit`"), "{text}");
+}
+
+#[test]
+fn registers_stand_beside_the_statements_on_a_wide_terminal() {
+    let text = shown(&[STEP, STEP, STEP], Language::English, (160, 50));
+    let line = text.lines().find(|line| line.contains("L     C#25")).expect("the statement is shown");
+    let column = line.split("00000025").next().map(|left| left.chars().count());
+    assert!(column.is_some_and(|column| column < 90), "{text}");
+}
+
+#[test]
+fn before_the_start_there_is_no_number_of_a_scan() {
+    let text = shown(&[], Language::English, (80, 24));
+    assert!(text.lines().next().is_some_and(|header| header.contains("before the start") && header.contains("start · 0 ms")), "{text}");
+}
+
+#[test]
+fn an_input_is_switched_among_the_bits_and_the_next_scan_sees_it() {
+    let text = shown(&[Command::Focus, Command::Toggle], Language::English, (80, 24));
+    assert!(text.contains("I 0.0 becomes 1 with the next scan") && text.contains("0000 0000  .0 → 1"), "{text}");
+    let scan = Command::Step(Unit::Scan, Direction::Forward);
+    let next = shown(&[Command::Focus, Command::Toggle, scan], Language::English, (80, 24));
+    assert!(next.contains("0000 0001  .0 "), "{next}");
+    let back_off = shown(&[Command::Focus, Command::Toggle, Command::Toggle, scan], Language::German, (80, 24));
+    assert!(back_off.contains("0000 0000  .0 "), "{back_off}");
+}
+
+#[test]
+fn a_small_terminal_is_asked_to_grow_and_no_size_panics() {
+    let text = shown(&[], Language::English, (79, 10));
+    assert!(text.contains("The microscope needs 80 × 24 characters; this terminal has 79 × 10."), "{text}");
+    for size in [(1, 1), (2, 60), (200, 1), (80, 24), (81, 25), (300, 100)] {
+        shown(&[STEP, Command::Help], Language::German, size);
+    }
+}
+
+#[test]
+fn the_network_is_shown_as_a_diagram_above_its_statements() {
+    let network = Command::Step(Unit::Network, Direction::Forward);
+    let steps = [network, network, network, STEP, Command::Diagram];
+    insta::assert_snapshot!(shown(&steps, Language::English, (100, 36)));
+    let steps = [network, network, network, STEP, Command::Diagram, Command::Diagram];
+    insta::assert_snapshot!(shown(&steps, Language::German, (100, 36)));
+    let sentence = shown(&[STEP, Command::Diagram], Language::English, (100, 36));
+    assert!(sentence.contains("Stays STL: `L C#25` (line 10)"), "{sentence}");
 }

@@ -4,13 +4,17 @@ use std::path::{Path, PathBuf};
 
 use sieben_lang::encoding::Encoding;
 use sieben_model::problems::Problem;
+use sieben_workspace::finding::{Finding, Texts};
+use sieben_workspace::settings;
+use sieben_workspace::testing::self_checking::FirstSource;
+use sieben_workspace::testing::{Case, Conditions, Outcome, Stopwatch, Verdict, scenario, self_checking, unit};
 
-use super::{Case, Conditions, Outcome, Verdict, scenario, self_checking, unit};
 use crate::failure::Failure;
 use crate::paths::{self, folder_of, is_scenario, is_source};
 use crate::programs::{self, Folder, Kind, Tested};
-use crate::project::Project;
-use crate::settings;
+use crate::project;
+use crate::report;
+use crate::tracing::scenario::{self as files, Unusable};
 
 /// The tests that were found.
 #[derive(Default)]
@@ -142,11 +146,64 @@ fn named(test: &Path, paths: &[PathBuf], conditions: &Conditions) -> Result<Vec<
 /// expects nothing is no test.
 fn cases_of(test: &Path, program: &[PathBuf], named: bool, conditions: &Conditions) -> Vec<Case> {
     match () {
-        () if is_scenario(test) && !named && !scenario::is_test(test) => Vec::new(),
-        () if is_scenario(test) => vec![scenario::case(program.to_vec(), test.to_path_buf(), named)],
-        () if programs::is_test(test, conditions.encoding) => unit::cases(program, test, conditions),
+        () if is_scenario(test) && !named && !expects(test) => Vec::new(),
+        () if is_scenario(test) => vec![scenario_case(program.to_vec(), test.to_path_buf(), named)],
+        () if programs::is_test(test, conditions.encoding) => {
+            let all: Vec<PathBuf> = program.iter().cloned().chain([test.to_path_buf()]).collect();
+            let project = project::load(&all, conditions.encoding).map_err(|failure| failure.refusal);
+            unit::cases(&paths::shown(test), project, conditions)
+        }
         () => vec![case(paths::shown(test), program.to_vec(), Some(test.to_path_buf()))],
     }
+}
+
+/// The test of a scenario for a program. One that nobody `named` has to expect something.
+fn scenario_case(program: Vec<PathBuf>, file: PathBuf, named: bool) -> Case {
+    let scenario = Some(file.clone());
+    let name = paths::shown(&file);
+    let run = move |conditions: &Conditions| {
+        let outcome = hold(&program, &file, named, conditions).unwrap_or_else(Outcome::nothing_ran);
+        if let Some(warning) = &outcome.warning {
+            report::print(&[Finding::file(Problem::P6263, paths::shown(&file), warning)], &Texts::default(), false);
+        }
+        outcome
+    };
+    Case { scenario, ..Case::new(name, Box::new(run)) }
+}
+
+/// Holds a program against a scenario, or says why that cannot be done.
+fn hold(program: &[PathBuf], file: &Path, named: bool, conditions: &Conditions) -> Result<Outcome, Verdict> {
+    let stopwatch = Stopwatch::start(&conditions.outside);
+    let scenario = files::read(file).map_err(|unusable| match unusable {
+        Unusable::File(failure) => Verdict::Unreadable(failure.refusal),
+        Unusable::Lines(refusals) => Verdict::Misread(refusals),
+    })?;
+    if !named && !scenario.expects() {
+        return Err(Verdict::NoTest);
+    }
+    let project = project::load(program, conditions.encoding).map_err(|failure| Verdict::Unreadable(failure.refusal))?;
+    Ok(scenario::run(project, scenario, &paths::shown(file), stopwatch, conditions))
+}
+
+/// Whether a scenario expects anything; one that cannot be read says so when it is run.
+fn expects(file: &Path) -> bool {
+    files::read(file).map_or(true, |scenario| scenario.expects())
+}
+
+/// Runs a program that checks itself. The blocks of `test`, if there is one, take the place of those of the program.
+fn check_itself(program: &[PathBuf], test: Option<&PathBuf>, named: bool, conditions: &Conditions) -> Outcome {
+    let stopwatch = Stopwatch::start(&conditions.outside);
+    let all: Vec<PathBuf> = test.into_iter().chain(program).cloned().collect();
+    let first = if test.is_some() { FirstSource::Replaces } else { FirstSource::Belongs };
+    match project::load(&all, conditions.encoding) {
+        Ok(project) => self_checking::run(project, first, named, &stopwatch, conditions),
+        Err(failure) => Outcome::nothing_ran(Verdict::Unreadable(failure.refusal)),
+    }
+}
+
+/// Whether a program checks itself; one that cannot be read or compiled says so when it is run.
+pub(crate) fn checks_itself(program: &[PathBuf], conditions: &Conditions) -> bool {
+    project::load(program, conditions.encoding).map_or(true, |project| self_checking::is_test(project, conditions))
 }
 
 /// A test that does not exist is a mistake of the command line.
@@ -155,7 +212,7 @@ fn exists(test: &Path) -> Result<(), Failure> {
 }
 
 fn case(name: String, program: Vec<PathBuf>, test: Option<PathBuf>) -> Case {
-    Case::new(name, Box::new(move |conditions| self_checking::run(&program, test.as_ref(), true, conditions)))
+    Case::new(name, Box::new(move |conditions| check_itself(&program, test.as_ref(), true, conditions)))
 }
 
 /// A program that was found: it is a test if it checks itself. One that is `tested` by others leaves it to them to say that it does not
@@ -163,7 +220,7 @@ fn case(name: String, program: Vec<PathBuf>, test: Option<PathBuf>) -> Case {
 fn unnamed(name: String, program: Vec<PathBuf>, tested: bool) -> Case {
     let perhaps = Some(program.clone());
     let run = move |conditions: &Conditions| {
-        let outcome = self_checking::run(&program, None, false, conditions);
+        let outcome = check_itself(&program, None, false, conditions);
         match outcome.verdict {
             Verdict::DoesNotCompile(_) if tested => Outcome { verdict: Verdict::NoTest, ..outcome },
             _ => outcome,
@@ -174,7 +231,7 @@ fn unnamed(name: String, program: Vec<PathBuf>, tested: bool) -> Case {
 
 /// A test that cannot be run, and why.
 fn broken(name: String, failure: Failure) -> Case {
-    let run = move |_: &Conditions| Outcome::nothing_ran(Verdict::Unreadable(failure.clone()));
+    let run = move |_: &Conditions| Outcome::nothing_ran(Verdict::Unreadable(failure.refusal.clone()));
     Case { file: Some(name.clone()), ..Case::new(name, Box::new(run)) }
 }
 
@@ -221,7 +278,7 @@ fn beside(path: &Path, encoding: Option<Encoding>) -> Vec<PathBuf> {
 /// The tests of a project: those that `sieben.toml` names, else its test files; without other tests a project may be one itself.
 fn of_project(folder: &Path, conditions: &Conditions) -> Result<Vec<Case>, Failure> {
     let program = vec![folder.to_path_buf()];
-    let project = Project::load(&program, conditions.encoding)?;
+    let project = project::load(&program, conditions.encoding)?;
     let mut cases = Vec::new();
     let is_unit = |test: &PathBuf| is_scenario(test) || programs::is_test(test, conditions.encoding);
     if project.tests.iter().all(is_unit) {
@@ -263,7 +320,7 @@ fn of_folder(folder: &Folder, tables: &[PathBuf], conditions: &Conditions) -> Re
         match &test.tests {
             Tested::Programs(_) => {}
             Tested::Blocks(paths) => cases.extend(cases_of(&test.path, &with(paths), false, conditions)),
-            Tested::Nothing if is_scenario(&test.path) && !scenario::is_test(&test.path) => {}
+            Tested::Nothing if is_scenario(&test.path) && !expects(&test.path) => {}
             Tested::Nothing if several => cases.push(broken(paths::shown(&test.path), folder.stray(&test.path))),
             // Without a program a test file may still test itself.
             Tested::Nothing => cases.extend(cases_of(&test.path, &with(&[]), false, conditions)),

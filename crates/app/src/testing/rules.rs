@@ -7,9 +7,9 @@ use sieben_model::problems::Problem;
 use sieben_sim::duration;
 use sieben_sim::scenario::Rules;
 use sieben_sim::scenario::rules::Tolerance;
+use sieben_workspace::names::{split_assignment, split_list};
 
 use crate::failure::Failure;
-use crate::names::{split_assignment, split_list};
 use crate::tracing::scenario;
 
 /// What the command line says about recordings.

@@ -5,7 +5,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::time::Duration;
 
-use sieben_cpu::Cpu;
+use sieben_cpu::StopRequest;
+use sieben_workspace::testing;
 
 /// Sends a CPU to STOP when the time is over, unless it is dropped before.
 pub(super) struct TimeLimit {
@@ -16,9 +17,9 @@ pub(super) struct TimeLimit {
 
 impl TimeLimit {
     /// From now on the CPU has so much real time. Without a thread it has as much as its next scan takes.
-    pub(super) fn start(cpu: &Cpu, timeout: Duration) -> Self {
+    pub(super) fn start(request: StopRequest, timeout: Duration) -> Self {
         let (running, ended_before) = channel();
-        let (request, ended) = (cpu.stop_request(), Arc::new(AtomicBool::new(false)));
+        let ended = Arc::new(AtomicBool::new(false));
         let told = Arc::clone(&ended);
         let wait = move || {
             if ended_before.recv_timeout(timeout) == Err(RecvTimeoutError::Timeout) {
@@ -30,9 +31,10 @@ impl TimeLimit {
         let _ = std::thread::Builder::new().name("time of a test".to_owned()).spawn(wait);
         Self { ended, _running: running }
     }
+}
 
-    /// Whether it has sent the CPU to STOP.
-    pub(super) fn has_ended_it(&self) -> bool {
+impl testing::TimeLimit for TimeLimit {
+    fn has_ended_it(&self) -> bool {
         self.ended.load(Ordering::Relaxed)
     }
 }

@@ -1,6 +1,5 @@
-//! Traces beside files: what is recorded, where it is kept, what is written of it.
+//! Traces beside files: where they are kept, what is written of them.
 
-pub(crate) mod channels;
 pub(crate) mod file;
 pub(crate) mod output;
 pub(crate) mod scenario;

@@ -1,19 +1,19 @@
-//! Scenarios beside files: reading one, the modules that it runs with, and the program that was recorded.
+//! Scenarios in files.
 
 use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-use sieben_cpu::{IoModule, Rack, SimulatedModule};
 use sieben_model::problems::Problem;
 use sieben_sim::scenario::Scenario;
-use sieben_sim::trace::{self, Origin};
+use sieben_workspace::Refusal;
+use sieben_workspace::finding::{Finding, Texts};
+use sieben_workspace::tracing::scenario;
 
 use crate::failure::{Exit, Failure};
-use crate::project::Build;
-use crate::report::{self, Finding, Texts};
+use crate::report;
 use crate::schedule::ScheduleArguments;
-use crate::{controller, files, output, paths};
+use crate::{files, output, paths};
 
 /// Bytes of a scenario at most: a day of a busy plant, and what a computer can hold beside its lines.
 const BYTES_MAX: u64 = 1 << 30;
@@ -44,7 +44,7 @@ pub(crate) fn only<'a>(paths: &'a [PathBuf], schedule: &ScheduleArguments) -> Re
 
 /// Tells the user that a recording ends before its end.
 pub(crate) fn warn_if_cut_off(path: &Path, scenario: &Scenario) {
-    if let Some(message) = cut_off(path, scenario) {
+    if let Some(message) = scenario::cut_off(&paths::shown(path), scenario) {
         report::print(&[Finding::file(Problem::P6263, paths::shown(path), message)], &Texts::default(), false);
     }
 }
@@ -57,8 +57,8 @@ fn read_or_report(path: &Path) -> Result<Result<Scenario, Exit>, Failure> {
             Ok(Ok(scenario))
         }
         Err(Unusable::File(failure)) => Err(failure),
-        Err(Unusable::Lines(failures)) => {
-            failures.iter().for_each(|failure| output::styled(&failure.render(output::colour())));
+        Err(Unusable::Lines(refusals)) => {
+            refusals.into_iter().for_each(|refusal| output::styled(&Failure::from(refusal).render(output::colour())));
             Ok(Err(Exit::Usage))
         }
     }
@@ -69,18 +69,13 @@ pub(crate) enum Unusable {
     /// It cannot be read.
     File(Failure),
     /// Some of its lines are not understood.
-    Lines(Vec<Failure>),
+    Lines(Vec<Refusal>),
 }
 
 /// Reads a scenario.
 pub(crate) fn read(path: &Path) -> Result<Scenario, Unusable> {
     let text = text(path).map_err(Unusable::File)?;
-    Scenario::parse(text.trim_start_matches('\u{FEFF}')).map_err(|errors| {
-        let failure = |error: sieben_sim::scenario::ScenarioError| {
-            Failure::usage(Problem::P6260, format!("{}:{}: {}", paths::shown(path), error.line, error.message))
-        };
-        Unusable::Lines(errors.into_iter().map(failure).collect())
-    })
+    scenario::read(&paths::shown(path), &text).map_err(Unusable::Lines)
 }
 
 fn text(path: &Path) -> Result<String, Failure> {
@@ -94,29 +89,4 @@ fn text(path: &Path) -> Result<String, Failure> {
         return Err(Failure::usage(Problem::P1104, format!("`{}` is larger than {} MiB", path.display(), BYTES_MAX >> 20)));
     }
     Ok(String::from_utf8_lossy(&bytes).into_owned())
-}
-
-/// The modules that a scenario runs with: those of the project, unless it says itself which bytes have one. A recording brings the inputs of its modules along.
-pub(crate) fn rack(build: &Build, scenario: &Scenario) -> Rack {
-    let Some(bytes) = &scenario.modules else {
-        return if scenario.recorded.is_some() { Rack::simulated(build.cpu) } else { controller::rack(build) };
-    };
-    let bytes = bytes.start.min(build.cpu.peripheral)..bytes.end.min(build.cpu.peripheral);
-    let module: Box<dyn IoModule> = Box::new(SimulatedModule::new("simulated", bytes));
-    // One module inside the peripheral area always fits.
-    Rack::with_only(build.cpu, vec![module]).unwrap_or_else(|_| Rack::simulated(build.cpu))
-}
-
-/// What identifies a program.
-pub(crate) fn origin(build: &Build) -> Origin {
-    let sources = &build.project.texts.program;
-    let names: Vec<&str> = build.project.sources.iter().map(|source| sources.file(source.id).name.as_str()).collect();
-    let texts = build.project.sources.iter().map(|source| sources.file(source.id).text.as_str());
-    Origin { title: names.join(" "), program: trace::identity(texts), cpu: build.cpu.name.to_owned() }
-}
-
-/// What is to be said about a recording that has no end.
-pub(crate) fn cut_off(path: &Path, scenario: &Scenario) -> Option<String> {
-    scenario.recorded.as_ref().filter(|recorded| recorded.cut_off)?;
-    Some(format!("`{}` was cut off: it ends with its last whole scan", paths::shown(path)))
 }

@@ -36,8 +36,12 @@ pub(super) struct Kept {
 
 impl Kept {
     pub(super) fn new(cpu: &Cpu) -> Self {
-        let position = Position { statements: 0, actions: 0 };
-        Self { all: vec![One { position, scans: 0, last: None, snapshot: cpu.snapshot(None) }] }
+        Self::from(cpu, Position { statements: 0, actions: 0 }, 0)
+    }
+
+    /// Those of a history that goes no further back than to this position.
+    pub(super) fn from(cpu: &Cpu, position: Position, scans: u64) -> Self {
+        Self { all: vec![One { position, scans, last: None, snapshot: cpu.snapshot(None) }] }
     }
 
     pub(super) fn first(&self) -> Position {

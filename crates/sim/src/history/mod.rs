@@ -11,8 +11,9 @@ mod search;
 mod watch;
 
 use std::collections::VecDeque;
+use std::fmt;
 
-use sieben_cpu::{Cpu, OperatingMode};
+use sieben_cpu::{ChangeRefused, Cpu, Loaded, OnlineChange, OperatingMode};
 use sieben_engine::{FaultPlace, Machine, StatementEvent};
 
 use crate::names::{NameError, Setting};
@@ -94,6 +95,26 @@ pub struct Around {
     /// Behind it, before anything else happens.
     pub after: Machine,
 }
+
+/// Why another program did not take over.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ChangeError {
+    /// The CPU does not take it.
+    Refused(ChangeRefused),
+    /// This is the past, and a module of the CPU cannot go back.
+    Past,
+}
+
+impl fmt::Display for ChangeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Refused(refused) => refused.fmt(f),
+            Self::Past => f.write_str("a module of this CPU cannot go back; go to the end of the history first"),
+        }
+    }
+}
+
+impl std::error::Error for ChangeError {}
 
 /// A run that can go back.
 pub struct History {
@@ -353,6 +374,27 @@ impl History {
         self.log.push_back(Entry { action, at: self.position.statements, inside: self.cpu.is_paused() });
         self.position.actions += 1;
         Ok(())
+    }
+
+    /// Another program takes over, here and now, between two scans. What was recorded ahead is forgotten, and what was before as well: its
+    /// statements are those of a program that is gone. `again` says what is still to be set in the names of the new program; what it does not
+    /// find is left out.
+    ///
+    /// # Errors
+    /// The CPU does not take it, or this is the past and a module cannot be copied. Then nothing has changed.
+    pub fn change_online(&mut self, new: Loaded, again: impl FnMut(&Setting) -> Option<Setting>) -> Result<OnlineChange, ChangeError> {
+        if !self.is_at_present() && !self.kept.has_modules() {
+            return Err(ChangeError::Past);
+        }
+        let change = self.cpu.change_online(new).map_err(ChangeError::Refused)?;
+        self.forget_ahead();
+        self.plan.rename(again);
+        self.dropped += self.log.len();
+        self.log.clear();
+        self.kept = Kept::from(&self.cpu, self.position, self.scans);
+        self.cpu.forget_before(self.kept.oldest());
+        (self.last, self.around, self.next_place) = (None, None, None);
+        Ok(change)
     }
 
     fn forget_ahead(&mut self) {

@@ -41,6 +41,13 @@ impl Plan {
         Self { cycle_us, scans, timed, ..Self::default() }
     }
 
+    /// What is still to be set, as names of another program; what `again` does not find there is left out.
+    pub(super) fn rename(&mut self, mut again: impl FnMut(&Setting) -> Option<Setting>) {
+        let ahead = self.timed.split_off(self.set.min(self.timed.len()));
+        self.timed = ahead.into_iter().filter_map(|(time, setting)| Some((time, again(&setting)?))).collect();
+        self.set = 0;
+    }
+
     /// What comes next, up to the next scan; nothing if all scans are done.
     pub(super) fn next(&mut self) -> Vec<Action> {
         if !std::mem::replace(&mut self.started, true) {

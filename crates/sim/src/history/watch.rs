@@ -83,6 +83,11 @@ impl Condition {
         Ok(Self { name, relation, bits })
     }
 
+    /// The value that is compared.
+    pub fn name(&self) -> &Name {
+        &self.name
+    }
+
     /// Whether it holds.
     pub fn holds(&self, machine: &Machine, registers: &Registers) -> bool {
         let value = self.name.bits_in(machine, registers);
@@ -105,7 +110,7 @@ pub enum Target {
 
 impl Target {
     /// The value that is looked at.
-    fn name(&self) -> Option<&Name> {
+    pub fn name(&self) -> Option<&Name> {
         match self {
             Self::Change(name) | Self::Write(name) => Some(name),
             Self::Condition(condition) => Some(&condition.name),

@@ -4,11 +4,12 @@ use serde_json::{Map, Value as Json, json};
 use sieben_cpu::{BlockView, CycleTimes, OperatingMode};
 use sieben_engine::machine::Registers;
 use sieben_model::block::{BlockId, BlockLanguage};
-use sieben_model::value::{Shown, Value};
+use sieben_model::value::Value;
 
 use super::facts::Placed;
-use super::request::Refusal;
+use crate::names::shown_json;
 use crate::pace::Speed;
+use crate::refusal::Refusal;
 
 /// What a run answers.
 #[derive(Clone, Debug)]
@@ -201,18 +202,6 @@ pub struct PlantFaults {
     pub faults: Vec<String>,
 }
 
-/// A value as JSON: bits and numbers as numbers, all else as strings; so are integers of 64 bits and what is infinite or no number.
-pub fn shown_json(shown: &Shown) -> Json {
-    match shown {
-        Shown::Bit(bit) => json!(u8::from(*bit)),
-        Shown::Number(number) => json!(number),
-        // The digits of the REAL itself, not those of its widening to 64 bits.
-        Shown::Real(number) if number.is_finite() => number.to_string().parse::<f64>().map_or(Json::Null, |number| json!(number)),
-        Shown::LongReal(number) if number.is_finite() => json!(number),
-        shown => json!(shown.to_string()),
-    }
-}
-
 /// The line that answers a request, with its end.
 pub fn line(id: &Json, answer: &Result<Answer, Refusal>) -> String {
     let mut object = Map::new();
@@ -220,7 +209,7 @@ pub fn line(id: &Json, answer: &Result<Answer, Refusal>) -> String {
     match answer {
         Ok(answer) => object.extend(answer.fields()),
         Err(refusal) => {
-            object.insert("error".to_owned(), refusal.json());
+            object.insert("error".to_owned(), refusal_json(refusal));
         }
     }
     let mut line = Json::Object(object).to_string();
@@ -228,11 +217,8 @@ pub fn line(id: &Json, answer: &Result<Answer, Refusal>) -> String {
     line
 }
 
-impl Refusal {
-    /// The refusal as JSON.
-    pub fn json(&self) -> Json {
-        json!({ "code": self.problem.code(), "message": self.message })
-    }
+fn refusal_json(refusal: &Refusal) -> Json {
+    json!({ "code": refusal.problem.code(), "message": refusal.message })
 }
 
 fn milliseconds(us: u64) -> f64 {
@@ -321,14 +307,14 @@ fn value_json((name, value): &(String, Result<Value, Refusal>)) -> Json {
             let shown = value.shown();
             json!({ "name": name, "value": shown_json(&shown), "shown": shown.to_string() })
         }
-        Err(refusal) => json!({ "name": name, "error": refusal.json() }),
+        Err(refusal) => json!({ "name": name, "error": refusal_json(refusal) }),
     }
 }
 
 fn done_json((name, outcome): &(String, Result<(), Refusal>), scan: Option<u64>) -> Json {
     match outcome {
         Ok(()) => json!({ "name": name, "done": scan.is_some() }),
-        Err(refusal) => json!({ "name": name, "done": false, "error": refusal.json() }),
+        Err(refusal) => json!({ "name": name, "done": false, "error": refusal_json(refusal) }),
     }
 }
 

@@ -11,11 +11,11 @@ use std::collections::HashMap;
 use std::sync::Arc;
 use std::time::Duration;
 
-pub use answer::{Answer, line, shown_json};
+pub use answer::{Answer, line};
 use answer::{Blocks, Diagnostics, Done, Entry, Mode, PlantFaults, State, Stop, Time, Values};
 pub use facts::{Connection, CurrentFacts, Facts};
 use request::shortened;
-pub use request::{FaultChange, LINE_BYTES_MAX, ModeChange, Refusal, Request, TimeChange, parse, too_long};
+pub use request::{FaultChange, LINE_BYTES_MAX, ModeChange, Request, TimeChange, parse, too_long};
 use sieben_cpu::communication::Requester;
 use sieben_cpu::diagnostic_buffer::place_text;
 use sieben_cpu::{AccessError, OperatingMode, Restart, Station};
@@ -28,6 +28,7 @@ use sieben_sim::names::{Name, NameError};
 use sieben_sim::wrap::{self, Fault};
 
 use crate::gate::{Closed, Gate, ITEMS_MAX, ListError, Plant};
+use crate::refusal::Refusal;
 use crate::status::Desk;
 
 /// Longest name that is kept, in bytes.

@@ -1,13 +1,12 @@
 //! What can be asked of a run, and how a line of JSON becomes a request.
 
-use std::fmt;
-
 use serde_json::{Map, Value as Json};
 use sieben_cpu::Restart;
 use sieben_model::problems::Problem;
 
 use crate::gate::ITEMS_MAX;
 use crate::pace::Speed;
+use crate::refusal::Refusal;
 
 /// Longest line of a request, in bytes.
 pub const LINE_BYTES_MAX: usize = 64 * 1024;
@@ -15,30 +14,6 @@ pub const LINE_BYTES_MAX: usize = 64 * 1024;
 const ID_BYTES_MAX: usize = 200;
 /// Most scans that one request asks for while time stands still.
 const STEPS_MAX: u64 = 1_000_000;
-
-/// Why a request has no answer.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Refusal {
-    /// The row of the table of problems.
-    pub problem: Problem,
-    /// One sentence, lower-case.
-    pub message: String,
-}
-
-impl Refusal {
-    /// A refusal with its reason.
-    pub fn new(problem: Problem, message: impl Into<String>) -> Self {
-        Self { problem, message: message.into() }
-    }
-}
-
-impl fmt::Display for Refusal {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.message)
-    }
-}
-
-impl std::error::Error for Refusal {}
 
 /// Something that is asked of a run.
 #[derive(Clone, Debug, PartialEq)]
@@ -312,7 +287,7 @@ mod tests {
     use super::*;
 
     fn request(line: &str) -> Result<Request, String> {
-        parse(line.as_bytes()).1.map_err(|refusal| format!("{}: {refusal}", refusal.problem.code()))
+        parse(line.as_bytes()).1.map_err(|refusal| format!("{}: {}", refusal.problem.code(), refusal.message))
     }
 
     #[test]

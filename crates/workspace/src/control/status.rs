@@ -6,9 +6,10 @@ use sieben_model::problems::Problem;
 
 use super::answer::{Statement, Status};
 use super::facts::Facts;
-use super::request::{Refusal, shortened};
+use super::request::shortened;
 use super::{LOOK, WAIT_MAX};
 use crate::gate::{Closed, Gate};
+use crate::refusal::Refusal;
 use crate::status::{Desk, Sample};
 
 /// Statements in one answer.

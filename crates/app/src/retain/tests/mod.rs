@@ -31,7 +31,7 @@ fn record_of(sequence: u64) -> Vec<u8> {
 }
 
 fn newest(disk: &FailingDisk) -> Option<Record> {
-    let found = Found::read(disk, Path::new(FILE), false).unwrap_or_else(|failure| panic!("{}", failure.message));
+    let found = Found::read(disk, Path::new(FILE), false).unwrap_or_else(|failure| panic!("{}", failure.refusal.message));
     found.newest().cloned()
 }
 
@@ -300,10 +300,10 @@ fn a_damaged_slot_leaves_the_other_one() {
     for at in 0..length {
         let damaged = disk.after_kill();
         damaged.damage(path, 8192 + at);
-        let found = Found::read(&damaged, path, false).unwrap_or_else(|failure| panic!("{}", failure.message));
+        let found = Found::read(&damaged, path, false).unwrap_or_else(|failure| panic!("{}", failure.refusal.message));
         assert_eq!(found.newest().map(|record| record.sequence), Some(1), "byte {at}");
         damaged.damage(path, 4096 + at);
-        let found = Found::read(&damaged, path, false).unwrap_or_else(|failure| panic!("{}", failure.message));
+        let found = Found::read(&damaged, path, false).unwrap_or_else(|failure| panic!("{}", failure.refusal.message));
         assert_eq!(found.newest(), None, "byte {at} of both");
     }
     for at in 0..28 {

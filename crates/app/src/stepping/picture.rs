@@ -1,0 +1,453 @@
+//! The state of the screen, and the picture that it makes of where the run stands.
+
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::rc::Rc;
+
+use sieben_engine::machine::Registers;
+use sieben_engine::{FaultPlace, Machine, StatementEvent};
+use sieben_ide::drawing::text::Characters;
+use sieben_model::address::{Address, Area, Width};
+use sieben_model::literal::Value;
+use sieben_model::mnemonics::Mnemonics;
+use sieben_model::source::FileId;
+use sieben_model::visible::visible;
+use sieben_sim::history::{Target, Watch};
+use sieben_sim::names::Setting;
+use sieben_workspace::session::commands::{Answer, LINE_MAX, carry_out};
+use sieben_workspace::session::texts::pick;
+use sieben_workspace::session::{self, Language, Session, View, table};
+
+use super::keys::Command;
+use super::words::{halt, refused};
+use crate::diagrams::{self, Blocks, Diagrams, Form, Watch as Watching};
+
+/// Statements before the present one whose registers are shown beside the source.
+const TRAIL: u64 = 200;
+/// Columns of a diagram: what the smallest terminal has room for.
+const DIAGRAM_COLUMNS: usize = 76;
+/// Bytes whose bits are shown at most.
+const BYTES_MAX: usize = 64;
+
+/// What the keys work on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Focus {
+    /// The source.
+    Source,
+    /// The bits.
+    Bits,
+}
+
+/// What stays from one picture to the next.
+pub(super) struct Screen {
+    colour: bool,
+    focus: Focus,
+    /// The variables of the block are shown in the place of the bits.
+    variables: bool,
+    /// The source that is shown, and the line of the cursor there, from 0.
+    file: FileId,
+    cursor: usize,
+    /// Bytes of inputs, outputs and bit memory that the program uses.
+    bytes: Vec<(Area, u32)>,
+    /// The chosen byte, and the bit in it.
+    chosen: (usize, u8),
+    /// Inputs that were switched since this scan began: a module shows them to the next one.
+    switched: HashMap<(u32, u8), bool>,
+    switched_in: u64,
+    /// What the network is drawn as, above its statements.
+    diagram: Option<Form>,
+    /// The sources of the blocks, once a diagram was asked for.
+    blocks: Option<Rc<Blocks>>,
+    message: String,
+    prompt: Option<String>,
+    help: bool,
+}
+
+/// A line of the source.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct SourceLine {
+    pub(super) number: usize,
+    pub(super) text: String,
+    pub(super) breakpoint: bool,
+    pub(super) next: bool,
+    pub(super) executed: bool,
+    pub(super) cursor: bool,
+    /// RLO, STA and ACCU 1 behind the statement of the line that was executed last.
+    pub(super) seen: Option<(u64, u64, u32)>,
+}
+
+/// Eight bits.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct ByteLine {
+    /// `I 0`.
+    pub(super) name: String,
+    pub(super) bits: u8,
+    /// The bit that is chosen, and what it becomes with the next scan.
+    pub(super) chosen: Option<(u8, Option<bool>)>,
+}
+
+/// Everything that is drawn.
+pub(super) struct Picture {
+    pub(super) language: Language,
+    pub(super) colour: bool,
+    pub(super) focus: Focus,
+    /// `OB 1 › FC 3`.
+    pub(super) stack: String,
+    pub(super) view: View,
+    pub(super) registers: Registers,
+    pub(super) four_accumulators: bool,
+    pub(super) file: String,
+    pub(super) lines: Vec<SourceLine>,
+    /// Index of the line of the cursor in `lines`.
+    pub(super) cursor: usize,
+    pub(super) bytes: Vec<ByteLine>,
+    pub(super) watched: Vec<(String, String)>,
+    /// The block that runs and its variables, in the place of the bits.
+    pub(super) variables: Option<(String, Vec<(String, String)>)>,
+    /// The network as a diagram: what it is, and its lines.
+    pub(super) diagram: Option<(String, Vec<String>)>,
+    /// The last statement.
+    pub(super) statement: String,
+    pub(super) reason: String,
+    pub(super) message: String,
+    pub(super) prompt: Option<String>,
+    pub(super) help: bool,
+}
+
+/// Keeps the registers behind the last execution of each statement of a scan.
+#[derive(Default)]
+struct Trail {
+    seen: HashMap<FaultPlace, (u64, u64, u32)>,
+    /// The same statements in their order, with all registers.
+    order: Vec<(FaultPlace, Registers)>,
+    /// The clock stands still in a scan: another time is another scan.
+    clock_us: u64,
+}
+
+impl Watch for Trail {
+    fn after(&mut self, machine: &Machine, event: &StatementEvent) -> bool {
+        if self.clock_us != machine.clock_us {
+            self.clock_us = machine.clock_us;
+            self.seen.clear();
+            self.order.clear();
+        }
+        self.order.push((event.place, event.after.clone()));
+        self.seen.insert(event.place, (event.after.rlo, event.after.sta, event.after.accu1 as u32));
+        false
+    }
+}
+
+impl Screen {
+    pub(super) fn new(session: &mut Session, colour: bool) -> Self {
+        let greeting = ["s steps on, S back, h shows all keys", "s geht weiter, S zurück, h zeigt alle Tasten"];
+        let mut screen = Self {
+            colour,
+            focus: Focus::Source,
+            variables: false,
+            file: FileId(0),
+            cursor: 0,
+            bytes: bytes(session),
+            chosen: (0, 0),
+            switched: HashMap::new(),
+            switched_in: 0,
+            diagram: None,
+            blocks: None,
+            message: pick(session.language, greeting).to_owned(),
+            prompt: None,
+            help: false,
+        };
+        screen.follow(session);
+        screen
+    }
+
+    /// Whether a command line is open.
+    pub(super) fn is_typing(&self) -> bool {
+        self.prompt.is_some()
+    }
+
+    /// Carries a command out; `true` if it was to leave.
+    pub(super) fn act(&mut self, session: &mut Session, command: Command, rows: usize) -> bool {
+        self.message.clear();
+        match command {
+            Command::Quit => return true,
+            Command::Step(unit, direction) => {
+                let ended = session.step(unit, direction, 1);
+                self.moved(session, halt(&ended, session.language));
+            }
+            Command::Run(direction) => {
+                let ended = session.run(direction, session::STATEMENTS_MAX);
+                self.moved(session, halt(&ended, session.language));
+            }
+            Command::ToCursor => match self.goal(session) {
+                Ok(goal) => {
+                    let ended = session.run_to(goal);
+                    self.moved(session, halt(&ended, session.language));
+                }
+                Err(message) => self.message = message,
+            },
+            Command::Toggle if self.focus == Focus::Bits => self.switch(session),
+            Command::Toggle => {
+                if let Err(message) = self.goal(session).and_then(|goal| session.toggle(goal)) {
+                    self.message = message;
+                }
+            }
+            Command::Lines(lines) if self.focus == Focus::Bits => {
+                let last = self.bytes.len().saturating_sub(1);
+                self.chosen.0 = self.chosen.0.saturating_add_signed(lines as isize).min(last);
+            }
+            Command::Lines(lines) => self.cursor = self.cursor.saturating_add_signed(lines as isize),
+            Command::Pages(pages) => self.cursor = self.cursor.saturating_add_signed(pages as isize * rows.max(1) as isize),
+            // The highest bit stands left.
+            Command::Bits(bits) => self.chosen.1 = (i32::from(self.chosen.1) - bits).rem_euclid(8) as u8,
+            // The bits are what there is to choose from.
+            Command::Focus if self.variables => {
+                self.variables = false;
+                self.focus = Focus::Bits;
+            }
+            Command::Focus => self.focus = if self.focus == Focus::Source { Focus::Bits } else { Focus::Source },
+            Command::Language => {
+                session.language = if session.language == Language::English { Language::German } else { Language::English };
+            }
+            Command::Variables => {
+                self.variables = !self.variables;
+                self.focus = Focus::Source;
+            }
+            Command::Diagram => {
+                self.diagram = match self.diagram {
+                    None => Some(Form::Lad),
+                    Some(Form::Lad) => Some(Form::Fbd),
+                    Some(_) => None,
+                };
+            }
+            Command::Help => self.help = !self.help,
+            Command::Prompt(words) => self.prompt = Some(words.to_owned()),
+            Command::Type(character) => {
+                if let Some(prompt) = &mut self.prompt
+                    && prompt.len() < LINE_MAX
+                {
+                    prompt.push(character);
+                }
+            }
+            Command::Erase => {
+                if let Some(prompt) = &mut self.prompt {
+                    prompt.pop();
+                }
+            }
+            Command::Cancel => {
+                self.prompt = None;
+                self.help = false;
+            }
+            Command::Enter => return self.enter(session),
+        }
+        false
+    }
+
+    /// The command line is carried out as a line of `--commands`.
+    fn enter(&mut self, session: &mut Session) -> bool {
+        let Some(line) = self.prompt.take() else { return false };
+        let outcome = carry_out(session, &line, &mut |_| {});
+        match outcome {
+            Ok(Answer::Quit) => return true,
+            // Where the run stands is what the screen shows anyway.
+            Ok(Answer::Moved(ended)) => self.moved(session, halt(&ended, session.language)),
+            Ok(answer) => {
+                let text = table::answer(session, &answer);
+                self.moved(session, text.trim());
+            }
+            Err(refusal) => {
+                let text = refused(&refusal, false, session.language);
+                self.message = text.trim().to_owned();
+            }
+        }
+        false
+    }
+
+    fn moved(&mut self, session: &mut Session, message: &str) {
+        self.message = message.to_owned();
+        self.follow(session);
+    }
+
+    /// The cursor goes to the statement that comes next, or to the last one between two scans.
+    fn follow(&mut self, session: &Session) {
+        let history = session.history();
+        let place = history.next_place().or(history.last().map(|event| event.place));
+        let first = || session.listing().goal("OB1", None, Language::English).ok().map(|goal| goal.place);
+        let Some(span) = place.or_else(first).and_then(|place| session.listing().span(place)) else { return };
+        self.file = span.file;
+        self.cursor = session.listing().places().line(span).saturating_sub(1);
+    }
+
+    fn goal(&self, session: &Session) -> Result<session::Goal, String> {
+        let name = &session.build().project.texts.program.file(self.file).name;
+        session.goal(&format!("{name}:{}", self.cursor + 1))
+    }
+
+    /// Switches the chosen bit.
+    fn switch(&mut self, session: &mut Session) {
+        let Some(&(area, byte)) = self.bytes.get(self.chosen.0) else { return };
+        let address = Address { area, width: Width::Bit, byte, bit: self.chosen.1 }.spell(Mnemonics::English);
+        let image = session.cpu().machine().memory.area(area).get(byte as usize).is_some_and(|byte| byte >> self.chosen.1 & 1 == 1);
+        let scan = session.history().scans();
+        if self.switched_in != scan {
+            self.switched.clear();
+            self.switched_in = scan;
+        }
+        let wanted = !self.switched.get(&(byte, self.chosen.1)).copied().filter(|_| area == Area::Input).unwrap_or(image);
+        let setting = session.name_in(&address, None).and_then(|name| Setting::new(name, if wanted { "1" } else { "0" }));
+        if let Err(error) = setting.and_then(|setting| session.set(setting)) {
+            self.message = error.to_string();
+        } else if area == Area::Input {
+            self.switched.insert((byte, self.chosen.1), wanted);
+            let address = self.spell(session, area, byte);
+            let becomes = pick(session.language, ["becomes", "wird"]);
+            let when = pick(session.language, ["with the next scan", "mit dem nächsten Zyklus"]);
+            self.message = format!("{address}.{} {becomes} {} {when}", self.chosen.1, u8::from(wanted));
+        }
+    }
+
+    /// `I 0`.
+    fn spell(&self, session: &Session, area: Area, byte: u32) -> String {
+        format!("{} {byte}", area.prefix(session.listing().places().mnemonics))
+    }
+
+    /// The network where the run stands as a diagram, with what its statements did in this scan so far.
+    fn diagram(&mut self, session: &Session, view: &View, order: &[(FaultPlace, Registers)]) -> Option<(String, Vec<String>)> {
+        let form = self.diagram?;
+        let place = view.next.as_ref().or(view.executed.as_ref())?.place;
+        let blocks = self.blocks.get_or_insert_with(|| Rc::new(diagrams::blocks(session.build()))).clone();
+        let block = blocks.get(&place.block)?;
+        let number = session.listing().network(place)?;
+        let network = block.networks.iter().find(|network| network.number == number)?;
+        let mut watch = Watching::new(place.block, network);
+        order.iter().for_each(|(place, after)| watch.take(*place, after));
+        let build = session.build();
+        let status = watch.status(network, session.cpu(), &build.project.symbols);
+        let places = session.listing().places();
+        let diagrams = Diagrams::of(build, &places, blocks.clone());
+        let drawn = diagrams.shown_in(place.block, network, form, Some(&status), DIAGRAM_COLUMNS);
+        let lines = match (drawn.text(Characters::Unicode), &drawn.reason) {
+            (Some(text), _) => text.lines().map(shown).collect(),
+            (None, reason) => vec![shown(reason.as_deref().unwrap_or_default())],
+        };
+        Some((shown(&drawn.title), lines))
+    }
+
+    /// The picture of where the run stands.
+    pub(super) fn picture(&mut self, session: &mut Session) -> Picture {
+        let Trail { seen, order, .. } = trail(session);
+        let view = session.view();
+        let diagram = self.diagram(session, &view, &order);
+        let texts = &session.build().project.texts.program;
+        let file = texts.file(self.file);
+        self.cursor = self.cursor.min(file.text.lines().count().saturating_sub(1));
+        let in_file = |place: FaultPlace| {
+            let span = session.listing().span(place).filter(|span| span.file == self.file)?;
+            Some(session.listing().places().line(span))
+        };
+        let mut beside: BTreeMap<usize, (u32, (u64, u64, u32))> = BTreeMap::new();
+        for (place, seen) in seen {
+            if let Some(line) = in_file(place)
+                && beside.get(&line).is_none_or(|(statement, _)| *statement <= place.statement)
+            {
+                beside.insert(line, (place.statement, seen));
+            }
+        }
+        let breaks: BTreeSet<usize> = session
+            .breakpoints()
+            .iter()
+            .filter_map(|breakpoint| match breakpoint.target {
+                Target::Statement(place, _) => in_file(place),
+                _ => None,
+            })
+            .collect();
+        let line_of = |line: &Option<session::Line>| line.as_ref().and_then(|line| in_file(line.place));
+        let (next, executed) = (line_of(&view.next), line_of(&view.executed));
+        let lines = file.text.lines().enumerate().map(|(index, text)| {
+            let number = index + 1;
+            SourceLine {
+                number,
+                text: visible(&text.replace('\t', "    ")).into_owned(),
+                breakpoint: breaks.contains(&number),
+                next: next == Some(number),
+                executed: executed == Some(number),
+                cursor: index == self.cursor && self.focus == Focus::Source,
+                seen: beside.get(&number).map(|(_, seen)| *seen),
+            }
+        });
+        let lines = lines.collect();
+        let memory = &session.cpu().machine().memory;
+        let bytes = self.bytes.iter().enumerate().map(|(index, &(area, byte))| ByteLine {
+            name: self.spell(session, area, byte),
+            bits: memory.area(area).get(byte as usize).copied().unwrap_or_default(),
+            chosen: (self.focus == Focus::Bits && index == self.chosen.0).then(|| {
+                let pending = area == Area::Input && self.switched_in == session.history().scans();
+                (self.chosen.1, self.switched.get(&(byte, self.chosen.1)).copied().filter(|_| pending))
+            }),
+        });
+        let bytes = bytes.collect();
+        let watched = session.watched().iter().map(|name| (shown(name.text()), shown(&session.value(name)))).collect();
+        let variables = self.variables.then(|| {
+            let (block, values) =
+                session.locals().map_or((String::new(), Vec::new()), |(block, values)| (session.listing().called(block), values));
+            let value = |one: session::LocalValue| {
+                (shown(one.name.text()), one.value.map_or_else(|| "-".to_owned(), |value| shown(&value.to_string())))
+            };
+            (block, values.into_iter().map(value).collect())
+        });
+        let hits = view.hits.join("; ");
+        Picture {
+            language: session.language,
+            colour: self.colour,
+            focus: self.focus,
+            stack: shown(&view.stack.iter().map(|&block| session.listing().called(block)).collect::<Vec<_>>().join(" › ")),
+            registers: session.registers(),
+            four_accumulators: session.build().cpu.accumulators == 4,
+            file: shown(file.name.rsplit(['/', '\\']).next().unwrap_or(&file.name)),
+            lines,
+            cursor: self.cursor,
+            bytes,
+            watched,
+            variables,
+            diagram,
+            statement: view.executed.as_ref().map_or_else(String::new, |line| shown(line.said(session.language))),
+            reason: shown(&session.reason()),
+            message: shown(if self.message.is_empty() { &hits } else { &self.message }),
+            prompt: self.prompt.clone(),
+            help: self.help,
+            view,
+        }
+    }
+}
+
+/// A text in which nothing commands the terminal.
+fn shown(text: &str) -> String {
+    visible(text).into_owned()
+}
+
+/// The registers behind the statements that led here.
+fn trail(session: &mut Session) -> Trail {
+    let mut trail = Trail::default();
+    session.watch_last(TRAIL, &mut trail);
+    trail
+}
+
+/// Bytes of inputs, outputs and bit memory of which the program or its symbols name a bit.
+fn bytes(session: &Session) -> Vec<(Area, u32)> {
+    let mut bytes = BTreeSet::new();
+    let build = session.build();
+    let shown = |area: &Area| matches!(area, Area::Input | Area::Output | Area::BitMemory);
+    let named = build.compiled.bodies.values().flat_map(|body| body.named_bits());
+    bytes.extend(named.filter(|(area, _)| shown(area)).map(|(area, position)| (area, position / 8)));
+    for symbol in build.project.symbols.symbols() {
+        if let Some(sieben_model::address::Operand::Address(Address { area, width: Width::Bit, byte, .. })) = symbol.operand()
+            && shown(&area)
+        {
+            bytes.insert((area, byte));
+        }
+    }
+    bytes.into_iter().take(BYTES_MAX).collect()
+}
+
+/// A pointer as it stands among the registers.
+pub(super) fn pointer(bits: u64) -> String {
+    Value::Pointer(bits as u32).spell()
+}
