@@ -118,21 +118,30 @@ fn top_ends_with_the_run_and_gives_the_terminal_back() {
     let run = running(&folder);
     let (window, inside) = terminal();
     let top = start(&folder, &["top"], inside);
-    drawn(&window);
-    interrupt(&run);
-    assert_eq!(end(run).code(), Some(0));
     let mut window = File::from(window);
     let (sender, receiver) = mpsc::channel();
     std::thread::spawn(move || {
-        let (mut seen, mut chunk) = (Vec::new(), [0; 4096]);
+        let mut chunk = [0; 4096];
         // A terminal that nobody uses any more cannot be read.
         while let Ok(count @ 1..) = window.read(&mut chunk) {
-            seen.extend_from_slice(&chunk[..count]);
+            if sender.send(String::from_utf8_lossy(&chunk[..count]).into_owned()).is_err() {
+                return;
+            }
         }
-        sender.send(String::from_utf8_lossy(&seen).into_owned())
     });
+    let mut seen = String::new();
+    let until = Instant::now() + DEADLINE;
+    // One word: spaces that are there already are not drawn.
+    while !seen.contains("Diagnostic") {
+        assert!(Instant::now() < until, "{seen:?}");
+        seen.push_str(&receiver.recv_timeout(DEADLINE).expect("it draws"));
+    }
+    interrupt(&run);
+    assert_eq!(end(run).code(), Some(0));
     assert_eq!(end(top).code(), Some(0));
-    let seen = receiver.recv_timeout(DEADLINE).expect("the end of the terminal");
+    while let Ok(more) = receiver.recv_timeout(DEADLINE) {
+        seen.push_str(&more);
+    }
     let (screen, after) = seen.rsplit_once("\u{1b}[?1049l").expect("the other screen is left");
     assert!(screen.contains("lamp") && after.contains("The run is over."), "{seen:?}");
 }

@@ -1,11 +1,9 @@
 //! What is asked for cannot be done: the problem, in one sentence, and what to do about it.
 
-use std::fmt;
-
 use sieben_model::problems::Problem;
 
 /// Why something that was asked for is not done. It says nothing about how whoever asked goes on.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug)]
 pub struct Refusal {
     /// The row of the table of problems.
     pub problem: Problem,
@@ -30,14 +28,6 @@ impl Refusal {
         capitalized(self.help.as_deref().unwrap_or(self.problem.help()))
     }
 }
-
-impl fmt::Display for Refusal {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.message)
-    }
-}
-
-impl std::error::Error for Refusal {}
 
 /// A help sentence as it is shown; a word in backticks at its start stays as it is.
 pub fn capitalized(sentence: &str) -> String {

@@ -12,7 +12,7 @@ use serde_json::json;
 use sieben_cpu::{Cpu, DateAndTime, OperatingMode, Settings, StopRequest, TimeSource};
 use sieben_jit::StatusBits;
 use sieben_model::problems::Problem;
-use sieben_workspace::control::CurrentFacts;
+use sieben_workspace::control::{CurrentFacts, Facts};
 use sieben_workspace::controller;
 use sieben_workspace::duration;
 use sieben_workspace::failed::{self, Failed};
@@ -28,7 +28,7 @@ use crate::engines::EngineArgument;
 use crate::failure::{Exit, Failure};
 use crate::retain::{RetainArguments, Retention, RunTime};
 use crate::watch::Watch;
-use crate::{control, output, watch};
+use crate::{output, watch};
 
 /// How often the status line is drawn.
 const STATUS_PERIOD: Duration = Duration::from_millis(100);
@@ -123,7 +123,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let retention = choice.map(|choice| Retention::open(&choice, &mut cpu)).transpose()?;
     let cycle_us = duration::micros(cycle);
     let clock = real_clock();
-    let facts = Arc::new(CurrentFacts::new(control::facts(&build, cpu.program())));
+    let facts = Arc::new(CurrentFacts::new(Facts::of(&build, cpu.program())));
     let pace = Pace::new(arguments.speed, cycle_us, arguments.duration.map_or(u64::MAX, duration::micros), clock());
     let request = cpu.stop_request();
     let gate = Arc::new(Gate::new(Plant::new(cpu, pace), clock));
@@ -246,7 +246,7 @@ impl Surroundings for Around<'_> {
                 }
             });
             if watch.changes != changes {
-                self.facts.replace(control::facts(self.build, plant.cpu.program()));
+                self.facts.replace(Facts::of(self.build, plant.cpu.program()));
             }
         }
     }

@@ -9,6 +9,7 @@ use sieben_workspace::names::split_list;
 use crate::control::Client;
 use crate::control::client::silent;
 use crate::failure::{Exit, Failure};
+
 use crate::palette::Palette;
 use crate::top::{self, Left, Onlooker};
 use crate::{output, terminal};

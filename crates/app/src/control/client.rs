@@ -15,7 +15,7 @@ use crate::paths::shown;
 /// Longest answer, in bytes: far more than any has.
 const ANSWER_BYTES_MAX: u64 = 16 << 20;
 /// How long an answer is waited for: a run that is stopped in a debugger does not answer.
-const ANSWER_WAIT: Duration = Duration::from_secs(10);
+const ANSWER_WAIT: Duration = Duration::from_secs(5);
 
 /// A connection to a run.
 pub(crate) struct Client {
@@ -82,5 +82,13 @@ impl Client {
 
 /// A run that does not answer.
 pub(crate) fn silent(error: &io::Error) -> Failure {
-    Failure::usage(Problem::P7090, format!("the run does not answer: {error}"))
+    let message = match error.kind() {
+        io::ErrorKind::WouldBlock | io::ErrorKind::TimedOut => {
+            return Failure::usage(Problem::P7090, format!("the run has not answered for {} seconds", ANSWER_WAIT.as_secs()))
+                .help("it may be suspended (Ctrl-Z, a debugger), or the computer is very busy");
+        }
+        io::ErrorKind::UnexpectedEof | io::ErrorKind::BrokenPipe | io::ErrorKind::ConnectionReset => "the run is over".to_owned(),
+        _ => format!("the run does not answer: {error}"),
+    };
+    Failure::usage(Problem::P7090, message)
 }

@@ -10,10 +10,9 @@ use std::time::{Duration, Instant};
 use rustix::event::{PollFd, PollFlags, Timespec, poll};
 use serde_json::Value;
 use sieben_model::problems::Problem;
-use sieben_workspace::Gate;
 use sieben_workspace::control::{Connection, Control, CurrentFacts, LINE_BYTES_MAX, line, too_long};
-use sieben_workspace::refusal::Refusal;
 use sieben_workspace::status::Desk;
+use sieben_workspace::{Gate, Refusal};
 
 use super::place::{self, Bound, NoSocket, Place};
 

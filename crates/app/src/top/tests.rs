@@ -64,6 +64,18 @@ fn a_larger_terminal_has_room_for_values() {
 }
 
 #[test]
+fn the_picture_in_the_documentation_is_what_the_screen_shows() {
+    let page = include_str!("../../../../docs/how-to/watch-a-run.md");
+    let picture = page.split("```text\n").nth(1).and_then(|rest| rest.split("```").next()).expect("a picture on the page");
+    let mut look = look(json!({ "scans": 218, "time_ms": 2_180.0 }));
+    look.bytes = BYTES.into_iter().map(|name| (name, Some(u8::from(name.ends_with("B0"))))).collect();
+    let screen = shown(&look, (80, 24), None);
+    let shown: Vec<&str> = screen.lines().map(|line| line.trim_matches('"').trim_end()).collect();
+    let picture: Vec<&str> = picture.lines().collect();
+    assert_eq!(picture, shown[..picture.len()]);
+}
+
+#[test]
 fn every_size_can_be_drawn() {
     for width in [1, 20, 79, 80, 81, 119, 120, 200, 400] {
         for height in [1, 5, 23, 24, 25, 50, 120] {

@@ -1,6 +1,5 @@
 //! What a run answers, and the line of JSON that it becomes.
 
-use crate::names::shown_json;
 use serde_json::{Map, Value as Json, json};
 use sieben_cpu::{BlockView, CycleTimes, OperatingMode};
 use sieben_engine::machine::Registers;
@@ -8,6 +7,7 @@ use sieben_model::block::{BlockId, BlockLanguage};
 use sieben_model::value::Value;
 
 use super::facts::Placed;
+use crate::names::shown_json;
 use crate::pace::Speed;
 use crate::refusal::Refusal;
 
@@ -209,7 +209,7 @@ pub fn line(id: &Json, answer: &Result<Answer, Refusal>) -> String {
     match answer {
         Ok(answer) => object.extend(answer.fields()),
         Err(refusal) => {
-            object.insert("error".to_owned(), refusal.json());
+            object.insert("error".to_owned(), refusal_json(refusal));
         }
     }
     let mut line = Json::Object(object).to_string();
@@ -217,11 +217,8 @@ pub fn line(id: &Json, answer: &Result<Answer, Refusal>) -> String {
     line
 }
 
-impl Refusal {
-    /// The refusal as JSON.
-    pub fn json(&self) -> Json {
-        json!({ "code": self.problem.code(), "message": self.message })
-    }
+fn refusal_json(refusal: &Refusal) -> Json {
+    json!({ "code": refusal.problem.code(), "message": refusal.message })
 }
 
 fn milliseconds(us: u64) -> f64 {
@@ -310,14 +307,14 @@ fn value_json((name, value): &(String, Result<Value, Refusal>)) -> Json {
             let shown = value.shown();
             json!({ "name": name, "value": shown_json(&shown), "shown": shown.to_string() })
         }
-        Err(refusal) => json!({ "name": name, "error": refusal.json() }),
+        Err(refusal) => json!({ "name": name, "error": refusal_json(refusal) }),
     }
 }
 
 fn done_json((name, outcome): &(String, Result<(), Refusal>), scan: Option<u64>) -> Json {
     match outcome {
         Ok(()) => json!({ "name": name, "done": scan.is_some() }),
-        Err(refusal) => json!({ "name": name, "done": false, "error": refusal.json() }),
+        Err(refusal) => json!({ "name": name, "done": false, "error": refusal_json(refusal) }),
     }
 }
 

@@ -10,6 +10,9 @@ use sieben_model::block::BlockId;
 use sieben_model::source::{FileId, Sources};
 use sieben_model::symbols::SymbolTable;
 
+use crate::controller;
+use crate::project::Build;
+
 /// A program as people know it.
 #[derive(Clone, Debug, Default)]
 pub struct Facts {
@@ -37,6 +40,18 @@ pub struct Placed {
 }
 
 impl Facts {
+    /// What a build knows of the program that a CPU runs.
+    pub fn of(build: &Build, program: &Arc<Program>) -> Self {
+        let named = program.code.keys().filter_map(|&id| Some((id, controller::name_in_source(build, id)?.to_owned())));
+        Self {
+            project: build.project.settings.name.clone(),
+            symbols: build.project.symbols.clone(),
+            block_names: named.collect(),
+            sources: build.project.texts.program.clone(),
+            program: Arc::clone(program),
+        }
+    }
+
     /// The block that a user means: `OB1`, `FC 5`, a symbol, a name of Structured Text.
     pub fn block(&self, text: &str) -> Option<BlockId> {
         let text = text.trim();

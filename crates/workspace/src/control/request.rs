@@ -1,12 +1,12 @@
 //! What can be asked of a run, and how a line of JSON becomes a request.
 
-use crate::refusal::Refusal;
 use serde_json::{Map, Value as Json};
 use sieben_cpu::Restart;
 use sieben_model::problems::Problem;
 
 use crate::gate::ITEMS_MAX;
 use crate::pace::Speed;
+use crate::refusal::Refusal;
 
 /// Longest line of a request, in bytes.
 pub const LINE_BYTES_MAX: usize = 64 * 1024;
@@ -287,7 +287,7 @@ mod tests {
     use super::*;
 
     fn request(line: &str) -> Result<Request, String> {
-        parse(line.as_bytes()).1.map_err(|refusal| format!("{}: {refusal}", refusal.problem.code()))
+        parse(line.as_bytes()).1.map_err(|refusal| format!("{}: {}", refusal.problem.code(), refusal.message))
     }
 
     #[test]
