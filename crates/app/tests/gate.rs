@@ -4,7 +4,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-use sieben_cpu::{Cpu, Interrupt, IoModule, OperatingMode, Rack, Restart, Settings, Station, TimeSource};
+use sieben_cpu::{Cpu, Interrupt, IoModule, OperatingMode, Rack, Requester, Restart, Settings, Station, TimeSource};
 use sieben_model::address::Area;
 use sieben_model::block::BlockId;
 use sieben_model::cpu_type::CpuType;
@@ -253,15 +253,18 @@ END_ORGANIZATION_BLOCK
     let settings = Settings { retain: sieben_cpu::RetentiveAreas::default(), ..real_time() };
     let (end, plant, starts) = run(cpu(STOPS, "416-3", settings), Speed::Factor(1.0), 1_000, |gate, _| {
         gate.wait_for_point(2, Duration::from_secs(5));
-        gate.command(Plant::stop).expect("the run goes on");
+        gate.command(|plant| plant.stop(Requester::default())).expect("the run goes on");
         std::thread::sleep(Duration::from_millis(10));
         let mode = || gate.enter(|plant| plant.cpu.mode()).expect("the run goes on");
         assert_eq!(mode(), OperatingMode::Stop);
-        gate.command(|plant| plant.ask_for_start(Restart::Warm)).expect("the run goes on");
+        gate.command(|plant| plant.ask_for_start(Restart::Warm, Requester::default())).expect("the run goes on");
         let until = Instant::now() + Duration::from_secs(5);
         while mode() != OperatingMode::Run && Instant::now() < until {
             std::thread::sleep(Duration::from_millis(1));
         }
+        let events = gate.enter(|plant| plant.cpu.diagnostic_buffer().entries().map(|entry| entry.event()).collect::<Vec<_>>());
+        let events = events.expect("the run goes on");
+        assert!([0x4304, 0x1381].iter().all(|event| events.contains(event)), "{events:04X?}");
         let starts = read(gate, &[60]).expect("the run goes on").1[0];
         gate.write(&[(Item::area(Area::BitMemory, 10, 1), Value::bytes([1]))]).expect("the run goes on");
         while gate.enter(|_| ()).is_ok() && Instant::now() < until {

@@ -106,9 +106,12 @@ impl<'g> Driver<'g> {
     }
 
     fn turn(&mut self, plant: &mut Plant) -> Next {
-        if let Some(restart) = plant.start.take() {
+        if let Some((restart, by)) = plant.start.take() {
+            let (gate, pace) = (self.gate, plant.pace.clone());
             plant.waits_in_stop = false;
-            self.start(plant, restart);
+            // Whoever asks for the start of a CPU that runs already has what was asked for.
+            let _ = plant.cpu.start_with(restart, by, &mut || pace.time_us(gate.now_us()), None);
+            self.surroundings.keep(&mut plant.cpu);
         }
         let own_time = plant.pace.is_paused() || !plant.pace.speed().is_real();
         plant.cpu.set_time_source(if own_time { TimeSource::Virtual } else { TimeSource::Real });

@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicBool, AtomicU32, AtomicU64, Ordering};
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-use sieben_cpu::{AccessError, Cpu, Restart, Station, StopRequest};
+use sieben_cpu::{AccessError, Cpu, Requester, Restart, Station, StopRequest};
 use sieben_model::item::Item;
 use sieben_model::value::Value;
 
@@ -36,7 +36,7 @@ pub struct Plant {
     /// Scans since the beginning of the run, over all restarts.
     pub scans: u64,
     /// A start that somebody outside has asked for.
-    pub(crate) start: Option<Restart>,
+    pub(crate) start: Option<(Restart, Requester)>,
     /// Whether a CPU in STOP waits for a start instead of ending the run.
     pub(crate) waits_in_stop: bool,
 }
@@ -48,14 +48,14 @@ impl Plant {
     }
 
     /// Sends the CPU to STOP on behalf of somebody outside: the run goes on, and the CPU waits there for a start.
-    pub fn stop(&mut self) {
+    pub fn stop(&mut self, by: Requester) {
         self.waits_in_stop = true;
-        Station::stop(&mut self.cpu);
+        Station::stop_by(&mut self.cpu, by);
     }
 
     /// Asks for a start; the thread that scans carries it out at its next turn.
-    pub fn ask_for_start(&mut self, restart: Restart) {
-        self.start = Some(restart);
+    pub fn ask_for_start(&mut self, restart: Restart, by: Requester) {
+        self.start = Some((restart, by));
     }
 
     /// Whether a CPU in STOP waits for a start instead of ending the run.

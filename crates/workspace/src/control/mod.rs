@@ -387,7 +387,7 @@ fn mode(gate: &Gate, change: ModeChange) -> Result<Mode, Refusal> {
     let now = |plant: &mut Plant| Mode { mode: plant.cpu.mode(), scans: plant.scans };
     match change {
         ModeChange::Stop => Ok(gate.command(|plant| {
-            plant.stop();
+            plant.stop(Requester::default());
             now(plant)
         })?),
         ModeChange::MemoryReset => {
@@ -401,7 +401,7 @@ fn mode(gate: &Gate, change: ModeChange) -> Result<Mode, Refusal> {
 fn start(gate: &Gate, restart: Restart) -> Result<Mode, Refusal> {
     gate.command(|plant| match plant.cpu.mode() {
         OperatingMode::Stop => {
-            plant.ask_for_start(restart);
+            plant.ask_for_start(restart, Requester::default());
             Ok(())
         }
         OperatingMode::Hold => Err(not_now(sieben_cpu::StartRefused::Held)),
