@@ -50,7 +50,7 @@ fn row(count: usize) -> Network {
     let line =
         (0..count).map(|index| Kind::contact(format!("I {}.{}", index / 8, index % 8), false).at(Place::new(index, index))).collect();
     let outputs = vec![OutputKind::Assign("Q 4.0".into()).at(Place::new(count, count))];
-    Network { label: None, content: Content::Rung(Rung { line, end: End::Outputs(outputs) }) }
+    Network { label: None, content: Content::Rung(Rung::new(line, End::Outputs(outputs))) }
 }
 
 /// CPU time of this thread in milliseconds.

@@ -3,6 +3,7 @@
 
 mod arguments;
 mod commands;
+mod control;
 mod diagrams;
 mod document;
 mod duration;
@@ -15,6 +16,7 @@ mod folder;
 mod glob;
 mod instances;
 mod output;
+mod palette;
 mod panics;
 mod paths;
 mod programs;
@@ -28,6 +30,7 @@ mod stepping;
 mod symbol_files;
 mod terminal;
 mod testing;
+mod top;
 mod tracing;
 mod watch;
 
@@ -59,6 +62,7 @@ Examples:\n  \
   sieben new pump                             a project that runs and checks at once\n  \
   sieben check pump                           all errors and warnings\n  \
   sieben run pump --for 10s                   run it\n  \
+  sieben top pump                             watch it run, from another terminal\n  \
   sieben exec add.awl --set MW0=2 --show MW4  a few scans, then print values\n  \
   sieben step lamp.awl --set I0.0=1           why is it 0? Statement by statement, and back\n  \
   sieben trace lamp.awl --at 1s I0.0=1        what happens when, as a timing diagram\n  \
@@ -77,6 +81,8 @@ enum Verb {
     Demo(commands::demo::Arguments),
     /// Run a project
     Run(commands::run::Arguments),
+    /// Watch a program that runs, and start, stop or pause it
+    Top(commands::top::Arguments),
     /// Report everything that is wrong with a program
     Check(commands::check::Arguments),
     /// Run a few scans in virtual time and print values
@@ -93,9 +99,9 @@ enum Verb {
     Record(Box<commands::record::Arguments>),
     /// Explain an instruction, a problem code, a CPU type, a system function or an event
     Explain(commands::explain::Arguments),
-    /// Bring sources of STL, ST and SCL into one layout
+    /// Bring sources of STL, LAD, FBD, ST and SCL into one layout
     Fmt(commands::fmt::Arguments),
-    /// Change STL sources from one mnemonic language to the other
+    /// Change sources from one mnemonic language to the other, or networks into LAD, FBD or STL
     Convert(commands::convert::Arguments),
     /// Print the assignment table, or convert symbol tables
     Symbols(commands::symbols::Arguments),
@@ -130,6 +136,7 @@ fn run(line: CommandLine) -> Exit {
         None => output::print(&CommandLine::command().render_help().to_string()).map(|()| Exit::Success),
         Some(Verb::Demo(arguments)) => commands::demo::run(&arguments),
         Some(Verb::Run(arguments)) => commands::run::run(&arguments),
+        Some(Verb::Top(arguments)) => commands::top::run(&arguments),
         Some(Verb::Check(arguments)) => commands::check::run(&arguments),
         Some(Verb::Exec(arguments)) => commands::exec::run(&arguments),
         Some(Verb::Step(arguments)) => commands::step::run(&arguments),

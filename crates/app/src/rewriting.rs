@@ -1,10 +1,13 @@
 //! Sources that are written anew: same file, same encoding, same line ends, nothing lost.
 
+use std::borrow::Cow;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use sieben_lang::codesys_files;
 use sieben_lang::encoding::{self, Encoding};
+use sieben_lang::language::Language;
+use sieben_lang::stl::heads;
 use sieben_model::diagnostic::Diagnostic;
 use sieben_model::problems::Problem;
 use sieben_model::source::{FileId, Span};
@@ -94,9 +97,22 @@ impl Rewriting {
                 write(path, source, text, encoding)?;
                 output::print(&format!("{} {}\n", path.display(), self.done))?;
             }
-            Destination::File(target) => write(target, source, text, encoding)?,
+            Destination::File(target) => write(target, source, &in_file_called(target, source, text)?, encoding)?,
         }
         Ok(differs)
+    }
+}
+
+/// The text for a file whose ending may say that networks are written otherwise than in the source: then each network says it itself.
+fn in_file_called<'t>(target: &Path, source: &SourceFile, text: &'t str) -> Result<Cow<'t, str>, Failure> {
+    let (own, other) = (source.language(None), Language::of(&target.to_string_lossy(), text, None));
+    match (own.dialect(), other.dialect()) {
+        (None, None) if own.drawing() != other.drawing() => Ok(heads::with_words(text, own.drawing()).into()),
+        (None, Some(_)) => {
+            let message = format!("`{}` would be read as Structured Text, and the source is STL, LAD or FBD", target.display());
+            Err(Failure::usage(Problem::P7001, message).help("give a file that ends in `.awl`, `.lad` or `.fbd`"))
+        }
+        _ => Ok(text.into()),
     }
 }
 

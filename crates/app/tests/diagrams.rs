@@ -230,6 +230,12 @@ const SEEN_FROM_OUTSIDE: &[(&str, &[&str], &str)] = &[
         &["I0.2=1", "MW10=32767"],
         "M30.0",
     ),
+    (
+        "FUNCTION FC 1 : VOID\nBEGIN\nNETWORK\nA I 0.2; JNB m1; L MW 10; L 1; +I; T MW 12; AN OV; SAVE; CLR; m1: A BR;\nEND_FUNCTION\nORGANIZATION_BLOCK OB 1\nBEGIN\nCALL FC 1;\nA BR; = M 30.0;\nEND_ORGANIZATION_BLOCK\n",
+        &["I0.2=1", "MW10=32767"],
+        "M30.0",
+    ),
+    ("NETWORK\nL MW 10; T MW 12; SET; SAVE; CLR; A BR;\nNETWORK\nO I 0.0; = Q 4.0;\n", &["I0.0=0"], "Q4.0"),
 ];
 
 #[test]
@@ -256,4 +262,135 @@ fn a_label_that_looks_like_an_address_stays_a_label() {
         Folder::with(&[("x.lad", "NETWORK\n    NO  I 0.0\n    JMP  m1\nNETWORK\n    LABEL m1:\n    NO  I 0.1\n    COIL  Q 4.0\n")]);
     let stl = folder.run(&["convert", "x.lad", "--to", "stl"]);
     assert!(stl.stdout.contains("JC    m1;"), "{}", stl.stdout);
+}
+
+#[test]
+fn a_file_with_another_ending_holds_the_same_program() {
+    let bare = "      A     I 0.6;\n      =     Q 4.6;\n";
+    let line = "I 0.0 -> = Q 4.0\n\nI 0.3 -> S M 0.0\n";
+    let form_a = "OR\n    NO  I 0.0\nOR\n    NO  I 0.1\nEND\nCOIL  Q 4.0\n";
+    let mixed = "FUNCTION FC 1 : VOID\nBEGIN\n      A     I 0.7;\n      =     Q 0.7;\nNETWORK\n      L     MW 10;\n      LAR1  ;\nNETWORK FBD\n    I 0.1 -> = Q 4.1\nEND_FUNCTION\nORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n      CALL  FC 1;\nEND_ORGANIZATION_BLOCK\n";
+    let shown = |folder: &Folder, name: &str| {
+        let run = folder.run(&["convert", name, "--to", "stl"]);
+        assert_eq!(run.code, Some(0), "{name}: {}{}", run.stderr, String::from_utf8_lossy(&folder.read(name)));
+        let lines = run.stdout.lines().map(|line| line.split_whitespace().collect::<String>());
+        lines.filter(|line| !line.is_empty() && !line.starts_with("NETWORK")).collect::<Vec<_>>().join("\n")
+    };
+    for (name, source) in [("x.awl", SOURCE), ("x.awl", bare), ("x.awl", mixed), ("x.lad", line), ("x.fbd", line), ("x.lad", form_a)] {
+        let folder = Folder::with(&[(name, source)]);
+        let before = shown(&folder, name);
+        for other in ["y.awl", "y.lad", "y.fbd"] {
+            for to in ["lad", "stl"] {
+                for block in [None, Some("OB 1")] {
+                    let mut arguments = vec!["convert", name, "--to", to, "-o", other];
+                    arguments.extend(block.iter().flat_map(|block| ["--block", block]));
+                    let run = folder.run(&arguments);
+                    assert_eq!(run.code, Some(0), "{arguments:?}: {}", run.stderr);
+                    let written = String::from_utf8_lossy(&folder.read(other)).into_owned();
+                    assert_eq!(shown(&folder, other), before, "{arguments:?}\n{written}");
+                }
+            }
+        }
+    }
+    let folder = Folder::with(&[("x.awl", mixed), ("x.lad", "I 0.0 -> = Q 4.0\n")]);
+    let german = folder.run(&["convert", "--mnemonics", "de", "x.awl", "-o", "y.lad"]);
+    assert_eq!(german.code, Some(0), "{}", german.stderr);
+    let written = String::from_utf8(folder.read("y.lad")).expect("it is UTF-8");
+    assert!(written.contains("BEGIN\nNETWORK STL\n      U     E 0.7;"), "{written}");
+    let structured = folder.run(&["convert", "x.lad", "--to", "fbd", "-o", "y.scl"]);
+    assert_eq!(structured.code, Some(2));
+    assert!(structured.stderr.contains("would be read as Structured Text"), "{}", structured.stderr);
+}
+
+#[test]
+fn comments_after_networks_on_one_line_are_kept() {
+    let source = "// first\nI 0.0 -> = Q 4.0 // lamp\nI 0.1 -> = Q 4.1\nORGANIZATION_BLOCK OB 35\nBEGIN\nNETWORK\n    I 0.2 // in\n    -> = Q 4.2 // out\nEND_ORGANIZATION_BLOCK\n";
+    let folder = Folder::with(&[("x.lad", source)]);
+    assert_eq!(folder.run(&["check", "x.lad"]).code, Some(0));
+    let formatted = folder.run(&["fmt", "x.lad"]);
+    assert_eq!(formatted.code, Some(0), "{}", formatted.stderr);
+    folder.write("y.lad", &folder.read("x.lad"));
+    for (to, form) in [("lad", "a"), ("fbd", "a"), ("fbd", "b"), ("stl", "a")] {
+        let run = folder.run(&["convert", "y.lad", "--to", to, "--form", form]);
+        assert_eq!(run.code, Some(0), "{}", run.stderr);
+        for comment in ["// first", "// lamp", "// in", "// out"] {
+            assert_eq!(run.stdout.matches(comment).count(), 1, "{to} {form} {comment}: {}", run.stdout);
+        }
+    }
+}
+
+#[test]
+fn statements_in_a_file_of_diagrams_are_named() {
+    for source in ["A I 0.0;\n= Q 4.0;\n", "NETWORK\nm1: L MW 0; // a\nT MW 2;\n", "NETWORK LAD\nA(  ;\nO I 0.0;\n) ;\n= Q 4.0;\n"] {
+        let folder = Folder::with(&[("x.lad", source)]);
+        let run = folder.run(&["check", "x.lad"]);
+        assert_eq!(run.code, Some(3), "{source}");
+        assert!(run.stderr.contains("statements of STL stand here") && run.stderr.contains("NETWORK STL"), "{}", run.stderr);
+        assert!(run.stderr.contains("1 error."), "{}", run.stderr);
+    }
+}
+
+#[test]
+fn comments_of_pins_stay_at_their_pins() {
+    let source = "\
+NETWORK LAD
+    NO  I 0.0  // start
+    S_ODT T 5  // delay
+        TV := S5T#2S  // two seconds
+        // resets
+        R:  // at R
+            NO  I 0.7  // stop
+        BI => MW 20  // rest
+    COIL  Q 4.0  // lamp
+NETWORK LAD
+    NO  I 0.1
+    CALL SFC 64
+        RET_VAL => MD 0  // time
+    ADD_I
+        IN1 := MW 0  // summand
+        IN2 := 1
+        OUT => MW 2  // result
+NETWORK LAD
+    NO  I 0.2
+    S_CU C 1
+        S:
+            NO  I 0.3  // set
+        // preset
+        PV := C#5
+        CV => MW 30  // count
+";
+    let folder = Folder::with(&[("x.awl", source)]);
+    let fbd = folder.run(&["convert", "x.awl", "--to", "fbd"]);
+    assert_eq!(fbd.stdout, source.replace("NETWORK LAD", "NETWORK FBD"), "{}", fbd.stderr);
+    folder.write("y.awl", fbd.stdout.as_bytes());
+    assert_eq!(folder.run(&["convert", "y.awl", "--to", "lad"]).stdout, source);
+    let stl = folder.run(&["convert", "x.awl", "--to", "stl"]).stdout;
+    let comments: Vec<&str> = source.lines().filter_map(|line| line.split_once("// ").map(|(_, comment)| comment)).collect();
+    for comment in &comments {
+        assert_eq!(stl.matches(&format!("// {comment}")).count(), 1, "{comment}: {stl}");
+    }
+    assert!(stl.contains("CALL  SFC 64 ("), "{stl}");
+}
+
+#[test]
+fn a_second_use_of_an_edge_memory_or_a_counter_is_told_with_the_first() {
+    let block = |second: &str| {
+        format!(
+            "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK LAD\n    NO I 0.0\n    P M 1.0\n    S_CU C 1\n    COIL Q 4.0\nNETWORK LAD\n    NO I 0.1\n{second}\n    COIL Q 4.1\nEND_ORGANIZATION_BLOCK\n"
+        )
+    };
+    let said = |second: &str| Folder::with(&[("main.awl", &block(second))]).run(&["check", "main.awl"]).stderr;
+    for second in ["    N M1.0", "    POS I 0.2, M 1.0", "    OR\n        POS I 0.2, M 1.0\n    OR\n        NO I 0.3\n    END"] {
+        let said = said(second);
+        assert!(
+            said.contains("[P2443]") && said.contains("LAD network 2: a second edge keeps its line in `M1.0`, first used in network 1"),
+            "{said}"
+        );
+    }
+    let again = said("    S_CU C 1");
+    assert!(again.contains("LAD network 2: a second box S_CU counts with `C1`, first used in network 1"), "{again}");
+    // The other direction has an edge of its own.
+    for second in ["    S_CD C 1", "    P M 1.1", "    NO M 1.0"] {
+        assert!(!said(second).contains("P2443"), "{}", said(second));
+    }
 }

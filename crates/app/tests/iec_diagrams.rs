@@ -315,6 +315,62 @@ fn comparisons_are_boxes_of_every_type() {
 }
 
 #[test]
+fn what_stands_before_the_arrow_of_a_box_is_its_last_input() {
+    let moved = [
+        ("BOOL", "v : ARRAY[0..2] OF BOOL := [3(TRUE)];\n", ["TRUE", "true", "FALSE", "v[1]"].as_slice()),
+        ("INT", "v : ARRAY[0..2] OF INT := [3(7)]; n : INT := 2;\n", &["5", "-5", "16#7F", "v[1]", "n+1", "n"]),
+        ("WORD", "v : ARRAY[0..2] OF WORD := [3(16#FF)];\n", &["16#FF", "2#101", "v[2]", "5"]),
+        ("REAL", "v : ARRAY[0..2] OF REAL := [3(1.5)];\n", &["1.5", "-2.5E3", "v[2]"]),
+        ("TIME", "t : TON := (PT := T#3s);\n", &["T#5s", "t.PT"]),
+        ("STRING", "s : STRING := 'ab';\n", &["'a, b => c'", "s"]),
+    ];
+    for dialect in [Dialect::Iec, Dialect::Codesys] {
+        for (data_type, declarations, values) in moved {
+            let row = |value: &&str| ((*value).to_owned(), format!("MOVE  {value} => @"), format!("|- MOVE({value} => @)"));
+            let rows: Vec<Row> = values.iter().map(row).collect();
+            holds(&three_forms(declarations, data_type, &rows), dialect, &rows);
+        }
+    }
+}
+
+/// A function with two inputs and an output beside its result.
+const QUOTIENT: &str = "FUNCTION Quotient : INT\nVAR_INPUT a, b : INT; END_VAR\nVAR_OUTPUT rest : INT; END_VAR\nQuotient := a / b; rest := a MOD b;\nEND_FUNCTION\n";
+
+#[test]
+fn outputs_by_name_stand_beside_inputs_by_position() {
+    let declarations = "n : INT := 17; b : INT := 5; none : INT; x : INT; ok : BOOL;\n";
+    let numbers = [
+        ("17 / 5", "DIV n, b => @, ENO => ok", "DIV(n, b => @, ENO => ok)"),
+        ("17 / 5", "DIV n, b, ENO => ok, OUT => @", "DIV(n, b, OUT => @, ENO => ok)"),
+        ("17 / 5", "Quotient n, b => @", "Quotient(n, b => @)"),
+        ("17 / 5", "Quotient n, b => @, rest => x", "Quotient(n, b => @, rest => x)"),
+        ("17 MOD 5", "Quotient n, b, rest => @", "Quotient(n, b, rest => @)"),
+        ("17 MOD 5", "Quotient a := n, b := b, rest => @, ENO => ok", "Quotient(a := n, b := b, rest => @, ENO => ok)"),
+        ("17", "MOVE n => @, ENO => ok", "MOVE(n => @, ENO => ok)"),
+    ];
+    let bits = [
+        ("TRUE", "DIV n, b => x, ENO => @", "DIV(n, b => x, ENO => @)"),
+        ("FALSE", "DIV n, none => x, ENO => @", "DIV(n, none => x, ENO => @)"),
+        ("FALSE", "DIV n, none, ENO => @, OUT => x", "DIV(n, none, ENO => @, OUT => x)"),
+        ("TRUE", "MOVE 16#7F => x, ENO => @", "MOVE(16#7F => x, ENO => @)"),
+    ];
+    for dialect in [Dialect::Iec, Dialect::Codesys] {
+        for (of, rows) in [("INT", numbers.as_slice()), ("BOOL", bits.as_slice())] {
+            let row = |&(text, ladder, line): &(&str, &str, &str)| (text.to_owned(), ladder.to_owned(), format!("|- {line}"));
+            let rows: Vec<Row> = rows.iter().map(row).collect();
+            holds(&format!("{QUOTIENT}{}", three_forms(declarations, of, &rows)), dialect, &rows);
+        }
+    }
+    // What was read is printed as it was written.
+    for (_, _, line) in numbers.iter().chain(&bits) {
+        let line = line.replace('@', "y");
+        let line = format!("|- {line}");
+        let network = form_b::parse(&line, 0, Flavour::Iec).unwrap_or_else(|mistake| panic!("{line}: {mistake:?}"));
+        assert_eq!(form_b::print(&network, Drawing::Lad), line);
+    }
+}
+
+#[test]
 fn shifts_and_rotations_are_boxes_of_every_width() {
     let types = [
         ("BYTE", 8, "16#A5"),
@@ -384,23 +440,124 @@ fn words_are_joined_in_every_width() {
     assert!(refused.as_ref().is_err_and(|why| why.contains("BYTE")), "{:?}", refused.err());
 }
 
+/// A property whose GET and SET are drawn, and the same one in text.
+const PROPERTY: &str = "
+FUNCTION_BLOCK Drawn
+VAR on, held : BOOL; n : INT; END_VAR
+PROPERTY Running : BOOL
+GET
+VAR t : BOOL; END_VAR
+LD
+NETWORK
+    NO held
+    JMP  quiet
+NETWORK
+    NO on
+    COIL t
+NETWORK
+LABEL quiet:
+    NO t
+    COIL Running
+END_GET
+SET
+FBD
+NETWORK
+    OR
+        NO Running
+    OR
+        NO held
+    END
+    COIL on
+END_SET
+END_PROPERTY
+PROPERTY Level : INT
+SET
+LD
+|- MOVE(Level => n)
+GT(Level, 6) -> S held
+LT(Level, 3) -> R held
+END_SET
+GET
+LD
+NETWORK
+    ADD n, 1 => Level
+END_GET
+END_PROPERTY
+LD
+NETWORK
+    NO on
+    COIL held
+END_FUNCTION_BLOCK
+FUNCTION_BLOCK Written
+VAR on, held : BOOL; n : INT; END_VAR
+PROPERTY Running : BOOL
+GET Running := NOT held AND on; END_GET
+SET on := Running OR held; END_SET
+END_PROPERTY
+PROPERTY Level : INT
+SET n := Level; IF Level > 6 THEN held := TRUE; ELSIF Level < 3 THEN held := FALSE; END_IF; END_SET
+GET Level := n + 1; END_GET
+END_PROPERTY
+held := on;
+END_FUNCTION_BLOCK
+PROGRAM Main
+VAR drawn : Drawn; written : Written; a, called : BOOL; n : INT; o : ARRAY[0..3] OF INT; END_VAR
+drawn.Running := a; written.Running := a;
+drawn.Level := n; written.Level := n;
+IF called THEN drawn(); written(); END_IF;
+o[0] := drawn.Level; o[1] := written.Level;
+o[2] := BOOL_TO_INT(drawn.Running); o[3] := BOOL_TO_INT(written.Running);
+END_PROGRAM
+";
+
+#[test]
+fn get_and_set_of_a_property_are_drawn() {
+    for (engine, mut running) in Running::on_engines(PROPERTY, Dialect::Codesys) {
+        let mut random = Random(7);
+        let mut seen = std::collections::BTreeSet::new();
+        for scan in 0..64 {
+            running.set("Main.a", if random.chance(2) { "1" } else { "0" });
+            running.set("Main.called", if random.chance(3) { "1" } else { "0" });
+            running.set("Main.n", &random.below(9).to_string());
+            running.scan(10_000);
+            let o: Vec<String> = (0..4).map(|index| running.get(&format!("Main.o[{index}]"))).collect();
+            assert_eq!((&o[0], &o[2]), (&o[1], &o[3]), "[{engine}] scan {scan}");
+            seen.insert(o[2].clone());
+        }
+        assert_eq!(seen.len(), 2, "{seen:?}");
+    }
+}
+
 // What is wrong.
 
 /// Compiles the body of a program that declares `a` and `b` as BOOL, `n` as INT, `s` as STRING, `t` as TON and `o` as TOF.
 fn said(body: &str) -> Vec<(String, String, String)> {
-    let text = format!(
+    said_of(Dialect::Iec, &program_of(body))
+}
+
+/// Compiles the body of a block of a dialect, with variables of many types.
+fn said_in(dialect: Dialect, body: &str) -> Vec<(String, String, String)> {
+    let variables = "VAR a, b, c : BOOL; n : INT; w : WORD; s : STRING; d : DINT; r : REAL; t : TIME; END_VAR";
+    let mut said = said_of(dialect, &format!("FUNCTION_BLOCK Tried\n{variables}\n{body}\nEND_FUNCTION_BLOCK\n"));
+    // Nothing calls the block.
+    said.retain(|one| one.0 != "P3013");
+    said
+}
+
+fn program_of(body: &str) -> String {
+    format!(
         "FUNCTION_BLOCK Own VAR_INPUT x : BOOL; END_VAR VAR_OUTPUT y : BOOL; z : INT; END_VAR y := x; END_FUNCTION_BLOCK\n\
          FUNCTION Nothing VAR_INPUT x : BOOL; END_VAR ; END_FUNCTION\n\
          PROGRAM Main VAR a, b : BOOL; n : INT; w : WORD; s : STRING; t : TON; o : TOF; own : Own; END_VAR\n{body}\nEND_PROGRAM\n"
-    );
+    )
+}
+
+/// The code, the place and the message of all that is said about a source.
+fn said_of(dialect: Dialect, text: &str) -> Vec<(String, String, String)> {
     let mut sources = Sources::default();
-    sources.add("page.st", text.as_str());
-    let options = Options {
-        cpu: Some(cpu_type()),
-        dialect: Some(Dialect::Iec),
-        system_blocks: sieben_cpu::system::interfaces(),
-        ..Options::default()
-    };
+    sources.add("page.st", text);
+    let options =
+        Options { cpu: Some(cpu_type()), dialect: Some(dialect), system_blocks: sieben_cpu::system::interfaces(), ..Options::default() };
     let compiled = sieben_lang::compile(&sources, &SymbolTable::default(), &options);
     let found = compiled.diagnostics.iter().map(|one| {
         let place = &text[one.span.start as usize..one.span.end as usize];
@@ -414,8 +571,8 @@ fn what_is_wrong_is_said_at_its_element() {
     let mut failures = Vec::new();
     for (body, code, place) in [
         ("LD\nNETWORK\n    NO a\n    COIL x", "P3001", "x"),
-        ("LD\nNETWORK\n    NO a\n    COIL n", "P6200", ""),
-        ("LD\nNETWORK\n    NO n\n    COIL a", "P6200", "n"),
+        ("LD\nNETWORK\n    NO a\n    COIL n", "P2444", "n"),
+        ("LD\nNETWORK\n    NO n\n    COIL a", "P2444", "n"),
         ("LD\nNETWORK\n    NO a +\n    COIL b", "P6055", ""),
         ("LD\nNETWORK\n    NO a b\n    COIL b", "P6054", "b"),
         ("LD\nNETWORK\n    FOO n, 1 => n", "P3008", "FOO"),
@@ -440,6 +597,11 @@ fn what_is_wrong_is_said_at_its_element() {
         ("LD\nNETWORK\n    NO a", "P2404", ""),
         ("LD\nNETWORK\n    XOR\n        NO a\n    XOR\n        NO b\n    END\n    COIL b", "P2407", ""),
         ("LD\na (b -> = b", "P2409", ""),
+        ("LD\nn > 5 -> = b", "P2409", ">"),
+        ("LD\n|- MOVE(n + 1 => n)", "P2409", "+"),
+        ("LD\na AND b -> = b", "P2409", "A"),
+        ("LD\n|- Own[own](a, b, y => b)", "P3009", "b"),
+        ("LD\nNETWORK\n    Own own a, b, y => b", "P3009", "b"),
         ("FBD\nNETWORK\n    AND w, 16#FF => n", "P6200", ""),
         (
             "FBD\nNETWORK\n    OR\n        TON t\n            IN := a\n    OR\n        TON t\n            IN := b\n    END\n    COIL b",
@@ -455,6 +617,63 @@ fn what_is_wrong_is_said_at_its_element() {
         }
     }
     assert!(failures.is_empty(), "{}", failures.join("\n\n"));
+}
+
+#[test]
+fn a_second_call_of_one_instance_is_told_with_the_first() {
+    let of = |second: &str| said(&format!("LD\nNETWORK\n    NO a\n    TON t\n        PT := T#1s\n    COIL b\nNETWORK\n{second}"));
+    let again = of("    NO b\n    TON[t]\n        PT := T#2s\n    COIL a");
+    assert_eq!(again, [("P2443".to_owned(), "t".to_owned(), "network 2: `t` is called twice, first in network 1".to_owned())]);
+    // Other instances, and reading the outputs, are no second call.
+    for second in ["    NO b\n    TOF o\n        PT := T#2s\n    COIL a", "    NO t.Q\n    COIL a"] {
+        assert_eq!(of(second), [], "{second}");
+    }
+    // A block of the program may be called in two networks: it is not known to start anything.
+    assert_eq!(said("LD\nNETWORK\n    Own own a\nNETWORK\n    Own own b"), []);
+}
+
+/// Elements that carry a BOOL, with a gap for their operand.
+const BIT_ELEMENTS: [&str; 14] = [
+    "LD\nNETWORK\n    NO …\n    COIL b",
+    "LD\nNETWORK\n    NC …\n    COIL b",
+    "LD\nNETWORK\n    NO a\n    NO …\n    COIL b",
+    "LD\nNETWORK\n    OR\n        NO a\n    OR\n        NC …\n    END\n    COIL b",
+    "FBD\nNETWORK\n    XOR\n        NO …\n    XOR\n        NO a\n    END\n    COIL b",
+    "LD\nNETWORK\n    P …\n    COIL b",
+    "LD\nNETWORK\n    N …\n    COIL b",
+    "LD\nNETWORK\n    NO a\n    COIL …",
+    "LD\nNETWORK\n    NO a\n    COIL / …",
+    "LD\nNETWORK\n    NO a\n    PCOIL …",
+    "LD\nNETWORK\n    NO a\n    SET …",
+    "LD\nNETWORK\n    NO a\n    RESET …",
+    "LD\nNETWORK\n    NO a\n    MID …\n    COIL b",
+    "LD\nNETWORK\n    ABS\n        EN := …\n        IN := n\n        OUT => n",
+];
+
+#[test]
+fn contacts_coils_and_en_take_a_bool_in_every_dialect() {
+    for dialect in Dialect::ALL {
+        for element in BIT_ELEMENTS {
+            assert_eq!(said_in(dialect, &element.replace('…', "c")), [], "{dialect:?} {element}");
+            for operand in ["n", "w", "s", "d", "r", "t"] {
+                let said = said_in(dialect, &element.replace('…', operand));
+                let codes: Vec<(&str, &str)> = said.iter().map(|one| (one.0.as_str(), one.1.as_str())).collect();
+                assert_eq!(codes, [("P2444", operand)], "{dialect:?} {element} {said:?}");
+                assert!(said[0].2.starts_with("network 1: "), "{said:?}");
+            }
+        }
+    }
+    // A pin takes what its box takes.
+    assert_eq!(said("FBD\nNETWORK\n    ADD\n        IN1:\n            NO n\n        IN2 := 1\n        OUT => n"), []);
+    // What the message proposes is right.
+    for dialect in Dialect::ALL {
+        for compared in ["n <> 0", "w <> 16#0", "r <> 0.0", "t <> T#0s"] {
+            assert_eq!(said_in(dialect, &BIT_ELEMENTS[0].replace('…', compared)), [], "{dialect:?} {compared}");
+        }
+    }
+    // A bit of a word is a BOOL, where the dialect has names for bits.
+    assert_eq!(said_in(Dialect::Codesys, "LD\nNETWORK\n    NO w.3\n    COIL w.4"), []);
+    assert_eq!(said_in(Dialect::Tia, "LD\nNETWORK\n    NO w.%X3\n    COIL w.%X4"), []);
 }
 
 #[test]
@@ -538,7 +757,7 @@ impl Maker {
         if line.is_empty() && matches!(end, End::Branches(_)) {
             line.push(Kind::contact(self.bit(), false).at(Place::default()));
         }
-        Rung { line, end }
+        Rung::new(line, end)
     }
 
     fn output(&mut self) -> Output {
@@ -794,7 +1013,7 @@ fn random_networks_are_the_same_as_text_and_do_what_they_show() {
         let declarations = "VAR\n    b0, b1, b2, b3, b4, b5, b6, b7 : BOOL;\n    n0, n1, n2 : INT;\nEND_VAR\n";
         let (mut form_a, mut form_b) = (format!("PROGRAM Main\n{declarations}{word}\n"), format!("PROGRAM Main\n{declarations}{word}\n"));
         for network in &networks {
-            let text = form_a::print(network, drawing, &|_| (Vec::new(), None));
+            let text = form_a::print(network, drawing, &|_, _| (Vec::new(), None));
             let parsed = form_a::parse(&text, 0, text.len(), Flavour::Iec);
             assert!(parsed.mistakes.is_empty(), "{text}{:?}", parsed.mistakes);
             assert_eq!(&parsed.network, network, "{text}");

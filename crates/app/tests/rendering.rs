@@ -164,6 +164,70 @@ fn the_status_is_that_of_the_last_scan() {
     assert_eq!(status(&["FC1/1", "--at", "0ms", "I0.7=1", "--at", "10ms", "I0.7=0", "--scans", "3"]), skipped);
 }
 
+/// A zone of the master control relay that is off, and SAVE in a branch.
+const TAPPED: &str = "\
+NETWORK LAD
+    MCRA
+NETWORK LAD
+    NO    I 0.7
+    MCR<
+NETWORK LAD
+    NO    I 0.0
+    BRANCH
+        COIL  Q 4.0
+    BRANCH
+        NO    I 0.1
+        MID   M 0.0
+        NO    I 0.1
+        COIL  Q 4.1
+    END
+NETWORK LAD
+    MCR>
+NETWORK LAD
+    NO    I 0.0
+    BRANCH
+        NO    I 0.6
+        SAVE
+    BRANCH
+        NO    I 0.1
+        COIL  Q 5.0
+    BRANCH
+        NO    I 0.1
+        COIL  Q 5.1
+    END
+";
+
+#[test]
+fn lines_after_a_tap_carry_what_is_read_there() {
+    let folder = Folder::with(&[("main.lad", TAPPED)]);
+    let status = |network: &str| {
+        let run = folder.run(&["exec", ".", "--set", "I0.0=1", "--set", "I0.1=1", "--status", "-", "--network", network]);
+        assert_eq!(run.code, Some(0), "{}", run.stderr);
+        run.stdout
+    };
+    let off = "\
+│ I 0.0                           Q 4.0
+├══┤ ├══┬┄┄┄┄┄┄┄┄┄┄┄┄┄┄┄┄┄┄┄┄┄┄┄┄┄┄( )┄┄┤
+    1   ║                           0
+        ║ I 0.1   M 0.0   I 0.1   Q 4.1
+        └┄┄┤ ├┄┄┄┄┄(#)┄┄┄┄┄┤ ├┄┄┄┄┄( )┄┄┤
+            1       0       1       0
+";
+    assert_eq!(status("OB1/3"), off);
+    let saved = "\
+│ I 0.0   I 0.6
+├══┤ ├══┬══┤ ├┄┄┄┄┄(SAVE)┄┄┤
+    1   ║   0
+        ║ I 0.1    Q 5.0
+        ├┄┄┤ ├┄┄┄┄┄┄( )┄┄┄┄┤
+        ║   1        0
+        ║ I 0.1    Q 5.1
+        └══┤ ├══════( )════┤
+            1        1
+";
+    assert_eq!(status("OB1/5"), saved);
+}
+
 #[test]
 fn the_picture_in_the_documentation_is_what_the_tool_draws() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/how-to");
@@ -329,6 +393,10 @@ Network 1
    └──────┘
 ";
     assert_eq!(run.stdout, wanted);
+    let json = folder.run(&["render", "pump.st", "--json"]).stdout;
+    let blocks: Vec<serde_json::Value> =
+        json.lines().map(|line| serde_json::from_str::<serde_json::Value>(line).unwrap()["block"].take()).collect();
+    assert_eq!(blocks, ["Pump.Go", "Pump", "Pump", "Main"]);
     let run = folder.run(&["render", "pump.st", "--block", "pump.go", "--network", "2"]);
     assert_eq!(run.code, Some(2), "{}", run.stdout);
     assert!(run.stderr.contains("[P7082] Error: Pump.Go has no network 2; it has one, network 1"), "{}", run.stderr);

@@ -4,12 +4,14 @@
 mod command;
 
 use std::fs::File;
+use std::io::Read;
 use std::os::fd::OwnedFd;
+use std::os::unix::net::UnixStream;
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::mpsc;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
-use command::Folder;
+use command::{Folder, sieben};
 use rustix::event::{PollFd, PollFlags, Timespec, poll};
 use rustix::fs::{Mode, OFlags, open};
 use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
@@ -52,13 +54,22 @@ fn end(mut child: Child) -> ExitStatus {
     }
 }
 
-fn ends_with_its_terminal(arguments: &[&str]) {
-    let folder = Folder::with(&[("main.awl", "ORGANIZATION_BLOCK OB 1\nBEGIN\nA I 0.0\n= Q 4.0\nEND_ORGANIZATION_BLOCK\n")]);
-    let (window, inside) = terminal();
-    let child = start(&folder, arguments, inside);
+fn folder() -> Folder {
+    let program = "ORGANIZATION_BLOCK OB 1\nBEGIN\nA I 0.0\n= Q 4.0\nEND_ORGANIZATION_BLOCK\n";
+    Folder::with(&[("sieben.toml", "[project]\nname = \"lamp\"\n"), ("main.awl", program)])
+}
+
+/// Waits until a program draws, or has something to say.
+fn drawn(window: &OwnedFd) {
     let wait = Timespec { tv_sec: DEADLINE.as_secs().cast_signed(), tv_nsec: 0 };
-    let drawn = poll(&mut [PollFd::new(&window, PollFlags::IN)], Some(&wait));
+    let drawn = poll(&mut [PollFd::new(window, PollFlags::IN)], Some(&wait));
     assert_eq!(drawn, Ok(1), "sieben draws");
+}
+
+fn ends_with_its_terminal(folder: &Folder, arguments: &[&str]) {
+    let (window, inside) = terminal();
+    let child = start(folder, arguments, inside);
+    drawn(&window);
     drop(window);
     // It may have been drawing at this very moment, which is an error of the terminal.
     let status = end(child);
@@ -67,10 +78,70 @@ fn ends_with_its_terminal(arguments: &[&str]) {
 
 #[test]
 fn the_microscope_ends_with_its_terminal() {
-    ends_with_its_terminal(&["step", "main.awl"]);
+    ends_with_its_terminal(&folder(), &["step", "main.awl"]);
 }
 
 #[test]
 fn the_demo_ends_with_its_terminal() {
-    ends_with_its_terminal(&["demo"]);
+    ends_with_its_terminal(&folder(), &["demo"]);
+}
+
+/// A run of the project in a folder, which answers already.
+fn running(folder: &Folder) -> Child {
+    let mut run = sieben(folder.path(), &["run"]);
+    let mut run = run.stdout(Stdio::null()).stderr(Stdio::null()).spawn().expect("sieben runs");
+    let socket = folder.path().join(".sieben/control.sock");
+    let end = Instant::now() + DEADLINE;
+    while UnixStream::connect(&socket).is_err() {
+        assert!(run.try_wait().expect("a status").is_none() && Instant::now() < end, "the run answers");
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    run
+}
+
+fn interrupt(child: &Child) {
+    let _ = rustix::process::kill_process(rustix::process::Pid::from_child(child), rustix::process::Signal::INT);
+}
+
+#[test]
+fn top_ends_with_its_terminal() {
+    let folder = folder();
+    let run = running(&folder);
+    ends_with_its_terminal(&folder, &["top"]);
+    interrupt(&run);
+    assert_eq!(end(run).code(), Some(0), "the run goes on without it");
+}
+
+#[test]
+fn top_ends_with_the_run_and_gives_the_terminal_back() {
+    let folder = folder();
+    let run = running(&folder);
+    let (window, inside) = terminal();
+    let top = start(&folder, &["top"], inside);
+    let mut window = File::from(window);
+    let (sender, receiver) = mpsc::channel();
+    std::thread::spawn(move || {
+        let mut chunk = [0; 4096];
+        // A terminal that nobody uses any more cannot be read.
+        while let Ok(count @ 1..) = window.read(&mut chunk) {
+            if sender.send(String::from_utf8_lossy(&chunk[..count]).into_owned()).is_err() {
+                return;
+            }
+        }
+    });
+    let mut seen = String::new();
+    let until = Instant::now() + DEADLINE;
+    // One word: spaces that are there already are not drawn.
+    while !seen.contains("Diagnostic") {
+        assert!(Instant::now() < until, "{seen:?}");
+        seen.push_str(&receiver.recv_timeout(DEADLINE).expect("it draws"));
+    }
+    interrupt(&run);
+    assert_eq!(end(run).code(), Some(0));
+    assert_eq!(end(top).code(), Some(0));
+    while let Ok(more) = receiver.recv_timeout(DEADLINE) {
+        seen.push_str(&more);
+    }
+    let (screen, after) = seen.rsplit_once("\u{1b}[?1049l").expect("the other screen is left");
+    assert!(screen.contains("lamp") && after.contains("The run is over."), "{seen:?}");
 }

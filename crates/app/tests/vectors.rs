@@ -1,12 +1,15 @@
 //! Runs spec/vectors/vectors.csv: a state, some STL, the state after it; in both mnemonic languages, on every engine.
 //! And the rows of the table of diagrams that say what a diagram does, drawn and as the statements beside it.
 
+#[path = "../../lang/tests/diagrams/blocks.rs"]
+mod blocks;
 mod program;
 
 use std::fs;
 use std::path::Path;
 use std::sync::Arc;
 
+use blocks::blocks_of;
 use sieben_cpu::{Cpu, OperatingMode, Restart};
 use sieben_engine::{Machine, Program, StatementEvent, Tracer};
 use sieben_lang::reason::{Language, Moment, Reasons};
@@ -347,20 +350,6 @@ fn the_reasons_of_all_statements_of_the_vectors_are_true() {
     assert!(statements > 2_000, "{statements} statements");
     wrong.truncate(40);
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
-}
-
-/// Blocks of a row of diagrams: divided by `;` with a name after it, their networks by `//`.
-fn blocks_of(text: &str) -> Vec<(String, Vec<String>)> {
-    let mut blocks: Vec<(String, String)> = Vec::new();
-    for part in text.split(" ; ") {
-        let named = part.split_once(": ").filter(|(name, _)| matches!(*name, "OB1" | "FC1"));
-        match (named, blocks.last_mut()) {
-            (Some((name, networks)), _) => blocks.push((name.to_owned(), networks.to_owned())),
-            (None, Some((_, last))) => *last += &format!(" ; {part}"),
-            (None, None) => blocks.push(("OB1".to_owned(), part.to_owned())),
-        }
-    }
-    blocks.into_iter().map(|(name, text)| (name, text.split(" // ").map(str::to_owned).collect())).collect()
 }
 
 /// A source of blocks whose networks are lines of a diagram or rows of statements.

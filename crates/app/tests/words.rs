@@ -33,6 +33,10 @@ fn words_of_a_course_are_explained() {
         ("FBD", "function block diagram"),
         ("STW", "status word"),
         ("RET", "BEC"),
+        ("CMP >I", "L a; L b; >I"),
+        ("cmp <=r", "if a <= b"),
+        ("CMP", "drawn as a contact"),
+        ("R-TEXT", "comments between the statements"),
         ("СС0", "CC0, a bit of the status word"),
     ] {
         folder.run(&["explain", word]).code(0).stdout(expected);

@@ -1,5 +1,7 @@
 //! Modules and the rack they are plugged into.
 
+mod recorded;
+
 use std::any::Any;
 use std::fmt;
 use std::ops::Range;
@@ -11,6 +13,7 @@ use sieben_model::problems::Problem;
 use crate::interrupts::Interrupt;
 use crate::listening::{Heard, Listener, Order, Ordered, Orders, Unrepeatable};
 use crate::tape::{Reading, Tape};
+pub(crate) use recorded::Place;
 
 /// An input or output module, real or simulated, at byte addresses of the peripheral area.
 pub trait IoModule: Any + Send {
@@ -267,7 +270,7 @@ impl Rack {
     pub(crate) fn read_for_program(&mut self, byte: u32, width: Width) -> Option<u32> {
         let value = match self.ask(|rack| Reading::Value(rack.peripheral_read(byte, width))) {
             Reading::Value(value) => value,
-            other => unexpected(&other),
+            other => self.tape.unexpected(&other),
         };
         if let (Some(listener), Some(value)) = (&mut self.listener, value) {
             let length = width.bytes() as usize;
@@ -289,7 +292,10 @@ impl Rack {
             }
             Reading::Taken { taken, alarms: !rack.alarms.is_empty() }
         });
-        let Reading::Taken { taken, alarms } = reading else { unexpected(&reading) };
+        let (taken, alarms) = match reading {
+            Reading::Taken { taken, alarms } => (taken, alarms),
+            other => self.tape.unexpected(&other),
+        };
         self.alarmed = alarms;
         if let Some(listener) = self.listener.as_mut().filter(|_| alarms) {
             listener.alarm_inside(self.now_us);
@@ -446,7 +452,7 @@ impl Rack {
     pub(crate) fn take_alarms(&mut self) -> Vec<Interrupt> {
         let alarms = match self.ask(|rack| Reading::Alarms(std::mem::take(&mut rack.alarms))) {
             Reading::Alarms(alarms) => alarms,
-            other => unexpected(&other),
+            other => self.tape.unexpected(&other),
         };
         if let Some(listener) = &mut self.listener {
             listener.alarms(self.now_us, &alarms);
@@ -485,7 +491,7 @@ impl Rack {
         }
         match self.ask(|rack| Reading::Failed(rack.hand_out(image))) {
             Reading::Failed(failed) => failed,
-            other => unexpected(&other),
+            other => self.tape.unexpected(&other),
         }
     }
 
@@ -546,7 +552,7 @@ impl Rack {
                 image[..length].copy_from_slice(&bytes[..length]);
                 return failed;
             }
-            Some(other) => unexpected(&other),
+            Some(other) => return self.tape.unexpected(&other),
             None => {}
         }
         let length = image.len();
@@ -716,15 +722,6 @@ impl RackSnapshot {
 }
 
 impl Rack {
-    /// A rack with copies of the modules of another one; `None` if one of them cannot be copied.
-    pub(crate) fn of_snapshot(cpu: &CpuType, snapshot: &RackSnapshot) -> Option<Self> {
-        let mut rack = Self::empty(cpu);
-        for module in snapshot.modules.as_ref()? {
-            rack.claim(module.copy()?);
-        }
-        Some(rack.finish())
-    }
-
     pub(crate) fn snapshot(&self) -> RackSnapshot {
         let modules = self.modules.iter().map(|module| module.copy()).collect();
         RackSnapshot {
@@ -756,11 +753,6 @@ impl Rack {
         self.outputs.clone_from(&snapshot.outputs);
         self.enabled = snapshot.enabled;
     }
-}
-
-/// The CPU asks in the same order each time it runs the same way.
-fn unexpected(reading: &Reading) -> ! {
-    panic!("a run that has gone back asks its modules what it asked before, but {reading:?} was recorded here")
 }
 
 /// Alarms that can wait for the CPU; a module that raises more in one moment is not believed.

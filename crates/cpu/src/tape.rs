@@ -41,6 +41,8 @@ impl Reading {
 #[derive(Debug, Default)]
 pub(crate) struct Tape {
     on: bool,
+    /// Whoever hears it may ask in another order than the one it was recorded of.
+    is_loose: bool,
     readings: VecDeque<Reading>,
     /// Readings before the first one that is kept.
     dropped: u64,
@@ -54,6 +56,30 @@ impl Tape {
     /// Begins to record.
     pub(crate) fn start(&mut self) {
         self.on = true;
+    }
+
+    /// A tape that plays these readings to a run that may be another one.
+    pub(crate) fn of(readings: Vec<Reading>) -> Self {
+        Self { on: true, is_loose: true, readings: readings.into(), ..Self::default() }
+    }
+
+    /// Ends what [`Self::start`] began: what was recorded since a position, which is forgotten unless the tape was on before.
+    pub(crate) fn cut(&mut self, since: u64, was_on: bool) -> Vec<Reading> {
+        let first = usize::try_from(since.saturating_sub(self.dropped)).unwrap_or(usize::MAX);
+        let readings = self.readings.iter().skip(first).cloned().collect();
+        if !was_on {
+            *self = Self::default();
+        }
+        readings
+    }
+
+    /// What is said to a question that was another one when it was recorded.
+    ///
+    /// # Panics
+    /// If this is a run that has gone back: the CPU asks in the same order each time it runs the same way.
+    pub(crate) fn unexpected<T: Default>(&self, reading: &Reading) -> T {
+        assert!(self.is_loose, "a run that has gone back asks its modules what it asked before, but {reading:?} was recorded here");
+        T::default()
     }
 
     pub(crate) fn is_on(&self) -> bool {

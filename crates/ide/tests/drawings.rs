@@ -127,7 +127,7 @@ fn row(count: usize) -> Network {
     let line =
         (0..count).map(|index| Kind::contact(format!("I {}.{}", index / 8, index % 8), false).at(Place::new(index, index))).collect();
     let outputs = vec![OutputKind::Assign("Q 4.0".into()).at(Place::new(count, count))];
-    Network { label: None, content: Content::Rung(Rung { line, end: End::Outputs(outputs) }) }
+    Network { label: None, content: Content::Rung(Rung::new(line, End::Outputs(outputs))) }
 }
 
 /// Branches in branches, so many levels deep.
@@ -139,7 +139,7 @@ fn nest(depth: usize) -> Network {
         line = vec![contact(), Kind::Parallel { branches, negated: false }.at(Place::default())];
     }
     let outputs = vec![OutputKind::Assign("Q 4.0".into()).at(Place::default())];
-    Network { label: None, content: Content::Rung(Rung { line, end: End::Outputs(outputs) }) }
+    Network { label: None, content: Content::Rung(Rung::new(line, End::Outputs(outputs))) }
 }
 
 /// Takes a nested network apart without recursion.

@@ -123,10 +123,14 @@ problems! {
     P2407 Error "an element that only FBD has, in a network of LAD" "Begin the network with `NETWORK FBD`, or draw it with contacts and NOT.";
     P2408 Error "a diagram that is too large, or nested too deep" "Divide the network into several.";
     P2409 Error "a diagram on one line that is not understood" "A space is AND, `|` in brackets OR, `/` a normally closed contact, and the coils stand after `->`: `(I 0.0 | Q 0.0) /I 0.1 -> = Q 0.0`.";
+    P2410 Error "an operand that the pin of an element does not take" "Wire an operand of the type that the message names; MOVE takes any width, and I_DINT, DI_REAL, ROUND and the like convert.";
+    P2411 Warning "a parameter that the called block writes, with logic wired to it" "Wire the operand itself to the pin: `p := =M 0.0` for IN_OUT, `p => M 0.0` for an output.";
+    P2412 Warning "SAVE as the last coil of a rung that another one follows" "Put a coil below SAVE, which ends the line, or SAVE into the last rung of the block.";
     P2440 Error "an element of S7 blocks in a diagram of IEC 61131-3" "Draw what the message names instead.";
     P2441 Error "a coil that nothing is wired to" "Draw what it is to be assigned before it; TRUE is written as a contact.";
     P2442 Error "a body with statements and a diagram" "Write the diagram in a block or an action of its own.";
-    P2443 Warning "an instance that two boxes of a network call" "Declare an instance for each box, or draw one of them in a network of its own.";
+    P2443 Warning "an instance, a counter or an edge memory that two elements of a diagram use" "Give each element one of its own, or read what the first one delivers.";
+    P2444 Error "a contact, a coil or EN of a diagram that is no BOOL" "Read or write one bit, or draw a box: it takes operands of any type.";
     P3001 Error "a name that is not declared" "Declare it in the symbol table or in the VAR sections of the block.";
     P3002 Error "two blocks with one number" "Give one of them another number, or name only the files that belong together.";
     P3003 Error "a block named by a symbol that is not in the symbol table" "Add the symbol with the number of the block as its address, for example `FC 1`.";
@@ -378,6 +382,12 @@ problems! {
     P7081 Error "a file that no diagram is written to" "Name a file that ends in `.svg`, `.html` or `.txt`.";
     P7082 Error "a network that a block does not have" "Name a network of the block by its number, from 1.";
     P7083 Error "a network that is no diagram" "Choose a network that can be drawn, or try `--as fbd`; `sieben render` shows which can.";
+    P7090 Error "no run that answers" "Start it with `sieben run` in another terminal, with the same folder or files.";
+    P7091 Error "a request that is not understood" "Write one JSON object on one line, such as `{\"id\": 1, \"verb\": \"state\"}`; docs/reference/control-socket.md has all verbs.";
+    P7092 Error "a request beyond a limit" "Ask for less at once, or close a connection that is not needed.";
+    P7093 Error "a request that the CPU does not take now" "Ask for `state`: a start and a memory reset need STOP.";
+    P7094 Error "a run that is over" "Start it again, and connect again.";
+    P7095 Error "a status that cannot be shown" "Name a block with statements (`blocks` lists them) while the CPU scans.";
 
     // 8xxx run time
     P8001 Error "the CPU went to STOP" "Read the diagnostic buffer: it names the block and the statement.";
@@ -407,7 +417,7 @@ problems! {
     P9015 Warning "a bit of local data that is stored like that of a T-branch and never read (R-BITLEFT)" "Declare a temporary variable, or use the bit in the same network.";
     P9016 Warning "a tapped line that would run backwards in ladder (R-BACK)" "Draw the network as FBD: `convert --to fbd`.";
     P9017 Warning "an edge, a NOT or a box for a part in the middle of a line of ladder (R-NEG)" "Draw the network as FBD: `convert --to fbd`.";
-    P9018 Warning "an operand of another width than the box takes (R-WIDTH)" "Move it to an operand of the right width first; MOVE takes any.";
+    P9018 Warning "an operand of another width or type than the box takes (R-WIDTH)" "Move it to an operand of the right width first; MOVE takes any.";
     P9019 Warning "a comparison that is jumped over like a box with EN (R-MIX)" "Compare without the jump: a comparison is a contact.";
     P9020 Warning "a network whose diagram means the same but gives other statements" "Use `convert --rewrite` to draw it.";
     P9021 Warning "a network with more elements than a diagram may have (R-SIZE)" "Divide the network into several.";

@@ -22,6 +22,7 @@ use sieben_engine::machine::Registers;
 use sieben_engine::{Machine, Program, Stored};
 use sieben_model::address::{Address, Area, Operand};
 use sieben_model::block::BlockId;
+use sieben_model::cpu_type::CpuType;
 use sieben_model::item::{Item, Local, Place, Start};
 use sieben_model::symbols::SymbolTable;
 use sieben_model::types::DataType;
@@ -131,7 +132,7 @@ impl Name {
     /// The CPU has nothing of that name.
     pub fn get(&self, cpu: &Cpu) -> Result<Value, NameError> {
         let value = cpu.read_items(std::slice::from_ref(&self.item)).pop();
-        value.unwrap_or(Err(AccessError::NotAccessible)).map_err(|error| self.refused("read", error, cpu))
+        value.unwrap_or(Err(AccessError::NotAccessible)).map_err(|error| self.refused("read", error, cpu.cpu_type()))
     }
 
     /// The value in a CPU, ready to be shown.
@@ -164,7 +165,7 @@ impl Name {
     /// The CPU has nothing of that name that could be set.
     pub fn set(&self, cpu: &mut Cpu, value: &Value) -> Result<(), NameError> {
         let set = cpu.write_items(&[(self.item.clone(), value.clone())]).pop();
-        set.unwrap_or(Ok(())).map_err(|error| self.refused("set", error, cpu))
+        set.unwrap_or(Ok(())).map_err(|error| self.refused("set", error, cpu.cpu_type()))
     }
 
     /// As [`Self::set`], with a value as a user writes it.
@@ -185,7 +186,7 @@ impl Name {
             (
                 Place::Operand(operand @ Operand::Address(Address { area: Area::Input | Area::PeripheralInput, .. })),
                 Content::Bits(bits),
-            ) => cpu.modify_input_at(at_us, operand, *bits as u32).map_err(|error| self.refused("set", error, cpu)),
+            ) => cpu.modify_input_at(at_us, operand, *bits as u32).map_err(|error| self.refused("set", error, cpu.cpu_type())),
             _ => self.set(cpu, value),
         }
     }
@@ -316,16 +317,16 @@ impl Name {
         }
     }
 
-    /// Why a CPU did not read or set it.
-    fn refused(&self, verb: &str, error: AccessError, cpu: &Cpu) -> NameError {
+    /// Why a CPU of this type did not read or set it; the verb says which.
+    pub fn refused(&self, verb: &str, error: AccessError, cpu_type: &CpuType) -> NameError {
         let text = &self.text;
         let message = match (&self.item.place, error) {
             (_, AccessError::NotRunning(block)) => format!("`{text}` has no value here: `{block}` is not the block that runs"),
             (_, AccessError::NoRegister) => {
-                format!("the CPU {} has no `{text}`, only the accumulators 1 and 2; the S7-400 has four", cpu.cpu_type().name)
+                format!("the CPU {} has no `{text}`, only the accumulators 1 and 2; the S7-400 has four", cpu_type.name)
             }
             (Place::TimerStatus(_), AccessError::Outside) => {
-                format!("cannot {verb} `{text}`: the CPU has timers T 0 to T {}", cpu.cpu_type().timers - 1)
+                format!("cannot {verb} `{text}`: the CPU has timers T 0 to T {}", cpu_type.timers.saturating_sub(1))
             }
             (Place::TimerStatus(_), AccessError::ReadOnly) => format!("`{text}` can only be read; set `T n` to an S5TIME instead"),
             (Place::Register(_), AccessError::ReadOnly) => format!("`{text}` can only be read; open a data block with `OPN`"),

@@ -44,7 +44,9 @@ enum Next {
     End(End),
     /// It waits so many microseconds of the computer's time.
     Rest(u64),
-    /// It looks again at once, or when everyone who wants in has been in, after a scan that took so long.
+    /// It lets in who wants in, if anybody does.
+    Open,
+    /// It goes on at once after what took so many microseconds.
     Again(u64),
 }
 
@@ -55,12 +57,14 @@ pub struct Driver<'g> {
     surroundings: &'g mut dyn Surroundings,
     /// When the next scan begins, in the time of the CPU.
     due_us: u64,
+    /// How long it has scanned since the gate was open last, in microseconds.
+    worked_us: u64,
 }
 
 impl<'g> Driver<'g> {
     /// A driver for the plant of a gate. `desk` is where the status of scans is asked for.
     pub fn new(gate: &'g Gate, desk: &'g Desk, surroundings: &'g mut dyn Surroundings) -> Self {
-        Self { gate, desk, surroundings, due_us: 0 }
+        Self { gate, desk, surroundings, due_us: 0, worked_us: 0 }
     }
 
     /// Starts the CPU and runs it to the end. The gate stays open.
@@ -73,9 +77,24 @@ impl<'g> Driver<'g> {
         loop {
             match gate.scan(|plant| self.turn(plant)) {
                 Next::End(end) => return end,
-                Next::Rest(us) => drop(gate.rest(us.min(PAUSE_US_MAX))),
-                Next::Again(scan_us) if gate.is_wanted() => drop(gate.rest((scan_us * COMMUNICATION_LOAD / 100).max(PORTION_US))),
-                Next::Again(_) => {}
+                Next::Rest(us) => {
+                    self.worked_us = 0;
+                    gate.rest(us.min(PAUSE_US_MAX));
+                }
+                Next::Open => drop(gate.rest(PORTION_US)),
+                Next::Again(us) => self.communicate(us),
+            }
+        }
+    }
+
+    /// Without pauses between scans: those outside have their share of the time as soon as that is worth a portion.
+    fn communicate(&mut self, us: u64) {
+        self.worked_us = self.worked_us.saturating_add(us);
+        let share = self.worked_us * COMMUNICATION_LOAD / 100;
+        if share >= PORTION_US {
+            self.worked_us = 0;
+            if self.gate.is_wanted() {
+                self.gate.rest(share);
             }
         }
     }
@@ -87,9 +106,12 @@ impl<'g> Driver<'g> {
     }
 
     fn turn(&mut self, plant: &mut Plant) -> Next {
-        if let Some(restart) = plant.start.take() {
+        if let Some((restart, by)) = plant.start.take() {
+            let (gate, pace) = (self.gate, plant.pace.clone());
             plant.waits_in_stop = false;
-            self.start(plant, restart);
+            // Whoever asks for the start of a CPU that runs already has what was asked for.
+            let _ = plant.cpu.start_with(restart, by, &mut || pace.time_us(gate.now_us()), None);
+            self.surroundings.keep(&mut plant.cpu);
         }
         let own_time = plant.pace.is_paused() || !plant.pace.speed().is_real();
         plant.cpu.set_time_source(if own_time { TimeSource::Virtual } else { TimeSource::Real });
@@ -137,6 +159,11 @@ impl<'g> Driver<'g> {
             if let Some(end) = self.end(plant, now_us) {
                 return Next::End(end);
             }
+            // Time goes from scan to scan: without scans it stands still.
+            if plant.cpu.mode() == OperatingMode::Stop {
+                self.surroundings.at_point(plant);
+                return Next::Rest(PAUSE_US_MAX);
+            }
             self.scan(plant, &mut || now_us);
             // A cycle of 0 would never pass any time.
             plant.pace.pass(plant.pace.cycle_us.max(1));
@@ -161,7 +188,7 @@ impl<'g> Driver<'g> {
             if real && plant.cpu.has_background() {
                 gate.in_background(|| plant.cpu.background_with(until, &mut clock));
                 self.surroundings.keep(&mut plant.cpu);
-                return Next::Again(0);
+                return if gate.is_wanted() { Next::Open } else { Next::Again(0) };
             }
             // An interrupt that comes while the CPU waits runs at its own time.
             let wake_us = plant.cpu.next_interrupt_us().map_or(until, |next| next.clamp(now_us, until));
@@ -191,8 +218,10 @@ impl<'g> Driver<'g> {
     }
 
     fn scan(&mut self, plant: &mut Plant, clock: &mut dyn FnMut() -> u64) {
+        // A CPU in STOP only lets its plants live on.
+        let scans = plant.cpu.mode() != OperatingMode::Stop;
         self.desk.scan(plant, clock, self.gate.now_us());
-        plant.scans += 1;
+        plant.scans += u64::from(scans);
         self.surroundings.keep(&mut plant.cpu);
     }
 }

@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicBool, AtomicU32, AtomicU64, Ordering};
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-use sieben_cpu::{AccessError, Cpu, Restart, Station, StopRequest};
+use sieben_cpu::{AccessError, Cpu, Requester, Restart, Station, StopRequest};
 use sieben_model::item::Item;
 use sieben_model::value::Value;
 
@@ -36,7 +36,7 @@ pub struct Plant {
     /// Scans since the beginning of the run, over all restarts.
     pub scans: u64,
     /// A start that somebody outside has asked for.
-    pub(crate) start: Option<Restart>,
+    pub(crate) start: Option<(Restart, Requester)>,
     /// Whether a CPU in STOP waits for a start instead of ending the run.
     pub(crate) waits_in_stop: bool,
 }
@@ -48,14 +48,14 @@ impl Plant {
     }
 
     /// Sends the CPU to STOP on behalf of somebody outside: the run goes on, and the CPU waits there for a start.
-    pub fn stop(&mut self) {
+    pub fn stop(&mut self, by: Requester) {
         self.waits_in_stop = true;
-        Station::stop(&mut self.cpu);
+        Station::stop_by(&mut self.cpu, by);
     }
 
     /// Asks for a start; the thread that scans carries it out at its next turn.
-    pub fn ask_for_start(&mut self, restart: Restart) {
-        self.start = Some(restart);
+    pub fn ask_for_start(&mut self, restart: Restart, by: Requester) {
+        self.start = Some((restart, by));
     }
 
     /// Whether a CPU in STOP waits for a start instead of ending the run.
@@ -117,6 +117,8 @@ pub struct Gate {
     scan_waits: AtomicBool,
     /// How many are outside and want in.
     waiting: AtomicU32,
+    /// How many want to be told of the end of a scan.
+    listening: AtomicU32,
     /// How many scans have ended.
     points: AtomicU64,
     closed: AtomicBool,
@@ -135,17 +137,17 @@ fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Somebody who wants in.
-struct Waiting<'g>(&'g AtomicU32);
+/// Somebody who is counted as long as this is there.
+struct Counted<'g>(&'g AtomicU32);
 
-impl<'g> Waiting<'g> {
-    fn at(gate: &'g Gate) -> Self {
-        gate.waiting.fetch_add(1, Ordering::Release);
-        Self(&gate.waiting)
+impl<'g> Counted<'g> {
+    fn at(count: &'g AtomicU32) -> Self {
+        count.fetch_add(1, Ordering::SeqCst);
+        Self(count)
     }
 }
 
-impl Drop for Waiting<'_> {
+impl Drop for Counted<'_> {
     fn drop(&mut self) {
         self.0.fetch_sub(1, Ordering::Release);
     }
@@ -162,6 +164,7 @@ impl Gate {
             due_us: AtomicU64::new(NEVER),
             scan_waits: AtomicBool::default(),
             waiting: AtomicU32::default(),
+            listening: AtomicU32::default(),
             points: AtomicU64::default(),
             closed: AtomicBool::default(),
             background: AtomicBool::default(),
@@ -182,7 +185,7 @@ impl Gate {
     /// # Errors
     /// The run is over.
     pub fn enter<R>(&self, work: impl FnOnce(&mut Plant) -> R) -> Result<R, Closed> {
-        let _waiting = Waiting::at(self);
+        let _waiting = Counted::at(&self.waiting);
         let _turn = lock(&self.turn);
         if self.background.load(Ordering::Acquire) {
             self.requests.let_in();
@@ -260,16 +263,16 @@ impl Gate {
 
     /// Waits until more than `points` scans have ended, but not longer than `most`; how many have ended.
     pub fn wait_for_point(&self, points: u64, most: Duration) -> u64 {
-        let _waiting = Waiting::at(self);
+        let _listening = Counted::at(&self.listening);
         let point = lock(&self.point);
-        let waits = |(): &mut ()| self.points.load(Ordering::Acquire) <= points && !self.is_closed();
+        let waits = |(): &mut ()| self.points.load(Ordering::SeqCst) <= points && !self.is_closed();
         drop(self.passed.wait_timeout_while(point, most, waits));
         self.points()
     }
 
     /// How many scans and services have ended.
     pub fn points(&self) -> u64 {
-        self.points.load(Ordering::Acquire)
+        self.points.load(Ordering::SeqCst)
     }
 
     /// Whether the run is over.
@@ -287,7 +290,7 @@ impl Gate {
                 return;
             }
             let point = lock(&self.point);
-            let waits = |(): &mut ()| self.points.load(Ordering::Acquire) == points && !self.is_closed();
+            let waits = |(): &mut ()| self.points.load(Ordering::SeqCst) == points && !self.is_closed();
             let (point, time_out) = self.passed.wait_timeout_while(point, LOOK_AGAIN, waits).unwrap_or_else(PoisonError::into_inner);
             drop(point);
             // A thread that should have scanned long ago does something else: nobody waits for it.
@@ -305,8 +308,8 @@ impl Gate {
         self.due_us.store(NEVER, Ordering::Release);
         let done = work(&mut plant);
         drop(plant);
-        self.points.fetch_add(1, Ordering::Release);
-        if self.is_wanted() {
+        self.points.fetch_add(1, Ordering::SeqCst);
+        if self.is_wanted() || self.listening.load(Ordering::SeqCst) > 0 {
             drop(lock(&self.point));
             self.passed.notify_all();
         }
@@ -325,7 +328,7 @@ impl Gate {
 
     /// Whether somebody wants in.
     pub(crate) fn is_wanted(&self) -> bool {
-        self.waiting.load(Ordering::Acquire) > 0
+        self.waiting.load(Ordering::SeqCst) > 0
     }
 
     /// Waits for the next scan, in `us` microseconds, with the gate open; sooner if it is woken, `true` then.

@@ -9,10 +9,37 @@ pub enum Speed {
     Max,
 }
 
+/// Least and greatest factor that users can ask for.
+const FACTORS: std::ops::RangeInclusive<f64> = 0.001..=10_000.0;
+
 impl Speed {
+    /// Reads `1x`, `0.5x`, `10` or `max`.
+    ///
+    /// # Errors
+    /// The text is no speed; the message says how to write one.
+    pub fn parse(text: &str) -> Result<Self, String> {
+        if text.eq_ignore_ascii_case("max") {
+            return Ok(Self::Max);
+        }
+        let number = text.strip_suffix(['x', 'X']).unwrap_or(text);
+        match number.parse::<f64>() {
+            Ok(factor) if FACTORS.contains(&factor) => Ok(Self::Factor(factor)),
+            _ => Err(format!("`{text}` is no speed; write `1x`, `0.5x`, `10x` (0.001x to 10000x) or `max`")),
+        }
+    }
+
     /// Whether the CPU has the time of the computer.
     pub fn is_real(self) -> bool {
         self == Self::Factor(1.0)
+    }
+}
+
+impl std::fmt::Display for Speed {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Factor(factor) => write!(f, "{factor}x"),
+            Self::Max => f.write_str("max"),
+        }
     }
 }
 
@@ -108,6 +135,11 @@ impl Pace {
         self.paused && self.steps > 0
     }
 
+    /// Scans that are still to be run while time stands still.
+    pub fn steps_left(&self) -> u64 {
+        if self.paused { self.steps } else { 0 }
+    }
+
     /// Lets time pass at once: from scan to scan in virtual time, or in steps.
     pub(crate) fn pass(&mut self, us: u64) {
         self.since.1 = self.since.1.saturating_add(us);
@@ -117,6 +149,19 @@ impl Pace {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn speeds_are_read_and_written() {
+        for (text, expected) in
+            [("1x", Some(1.0)), ("0.5x", Some(0.5)), ("10", Some(10.0)), ("0x", None), ("-1x", None), ("nanx", None), ("fast", None)]
+        {
+            assert_eq!(Speed::parse(text).ok(), expected.map(Speed::Factor), "{text}");
+        }
+        assert_eq!(Speed::parse("MAX"), Ok(Speed::Max));
+        for speed in [Speed::Factor(1.0), Speed::Factor(0.25), Speed::Max] {
+            assert_eq!(Speed::parse(&speed.to_string()), Ok(speed));
+        }
+    }
 
     #[test]
     fn time_goes_as_fast_as_it_is_set_and_never_back() {

@@ -39,9 +39,11 @@ pub struct Sample {
     pub scan: u64,
     /// When it began, in the time of the CPU.
     pub time_us: u64,
-    /// Whether the replay ended as the real scan did: the same memory, timers, counters and registers.
+    /// Whether the replay ended as the real scan did: the same memory, timers and counters.
     pub same: bool,
-    /// The statements of the blocks that are looked at, by block and number from 0.
+    /// The blocks that were looked at.
+    pub blocks: Vec<BlockId>,
+    /// Their statements that were executed, by block and number from 0.
     pub statements: BTreeMap<(BlockId, u32), StatementStatus>,
 }
 
@@ -160,7 +162,8 @@ impl Desk {
         let blocks = lock(&self.blocks).keys().copied().collect();
         let mut collector = Collector { blocks, statements: BTreeMap::new() };
         let same = recorded.scan.replay(replayer, &mut collector)?;
-        Ok(Sample { scan: recorded.number, time_us: recorded.time_us, same, statements: collector.statements })
+        let Collector { blocks, statements } = collector;
+        Ok(Sample { scan: recorded.number, time_us: recorded.time_us, same, blocks, statements })
     }
 
     /// Waits for a sample that is newer than `number`, but not longer than `most`; the newest one with its number, if there is any.

@@ -58,6 +58,7 @@ pub const TARGETS: &[Target] = &[
     Target { name: "sim-scenario", fuzz: scenario, corpus: "scenario", fences: &["check"], words: scenario_words },
     Target { name: "sim-recording", fuzz: recording, corpus: "recording", fences: &[], words: no_words },
     Target { name: "workspace-settings", fuzz: settings, corpus: "settings", fences: &[], words: settings_words },
+    Target { name: "workspace-control", fuzz: sieben_workspace::control::fuzz, corpus: "control", fences: &[], words: control_words },
     Target { name: "model-literal", fuzz: literal, corpus: "literal", fences: &[], words: literal_words },
 ];
 
@@ -208,6 +209,14 @@ fn recording(data: &[u8]) {
         vcd::write(&trace, &range, &mut out).expect("what was opened can be read");
         csv::write(&trace, &range, csv::Rows::Changes, &mut out).expect("what was opened can be read");
     }
+}
+
+/// Words of requests at a control socket.
+fn control_words() -> Vec<&'static str> {
+    let words = "{\"id\":1, \"verb\":\" \"state\" \"read\" \"write\" \"force\" \"unforce\" \"unforce_all\" \"diagnostics\" \"blocks\" \"status\" \"mode\" \
+        \"time\" \"faults\" \"items\":[ \"values\":{ \"after\": \"from\": \"block\": \"restart\": \"scans\": \"speed\": \"inject\": \"mend\": MW10 I0.0 DB1.DBW0 T1 \
+        C1 ACCU1 STW P#M0.0 BYTE #x FC1.#x W#16#FF S5T#2S 1.5 true null } ] , : -1 1e999 \\ud800 \\u0000";
+    words.split_whitespace().chain(["\n"]).collect()
 }
 
 /// Keywords and signs of ST.

@@ -21,7 +21,7 @@ use crate::project;
 use crate::report;
 use crate::rewriting::{Destination, Rewriting};
 
-/// Change sources from one mnemonic language to the other, or networks into diagrams and back.
+/// Change sources from one mnemonic language to the other, or networks into LAD, FBD or STL.
 #[derive(Args)]
 #[command(after_help = "Examples:\n  \
   sieben convert --mnemonics en line4.awl              print it with A, JC, OPN\n  \

@@ -7,9 +7,9 @@ use clap::{Args, ValueEnum};
 use sieben_lang::symbols::assignment;
 use sieben_workspace::Speed;
 
-use super::run::speed_argument;
 use crate::duration::duration_argument;
 use crate::failure::{Exit, Failure};
+use crate::palette::Palette;
 use crate::screen::{self, CYCLE_US, Session, clock, thousands};
 use crate::screen::{Entry, Event};
 use crate::{output, terminal};
@@ -34,7 +34,7 @@ pub(crate) struct Arguments {
     #[arg(long = "for", value_name = "DURATION", id = "duration", allow_hyphen_values = true, value_parser = duration_argument)]
     time: Option<Duration>,
     /// How fast time goes: 1x, 10x, 0.5x, or max
-    #[arg(long, value_name = "FACTOR", allow_hyphen_values = true, value_parser = speed_argument)]
+    #[arg(long, value_name = "FACTOR", allow_hyphen_values = true, value_parser = Speed::parse)]
     speed: Option<Speed>,
 }
 
@@ -45,9 +45,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let interrupted = terminal::interrupted();
     let speed = arguments.speed.unwrap_or(Speed::Factor(1.0));
     if terminal::has_screen() {
-        let colour = std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
         let factor = if let Speed::Factor(factor) = speed { factor } else { f64::INFINITY };
-        screen::run(&mut session, factor, arguments.time, colour, &interrupted).map_err(|error| terminal::broken(&error))?;
+        screen::run(&mut session, factor, arguments.time, Palette::wanted(), &interrupted).map_err(|error| terminal::broken(&error))?;
         output::print(&farewell(&session))?;
     } else {
         print_changes(&mut session, speed, arguments.time, &interrupted)?;

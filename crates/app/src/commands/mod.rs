@@ -18,6 +18,7 @@ pub(crate) mod step;
 pub(crate) mod structure;
 pub(crate) mod symbols;
 pub(crate) mod test;
+pub(crate) mod top;
 pub(crate) mod trace;
 
 use sieben_workspace::finding;

@@ -25,7 +25,7 @@ use sieben_workspace::project::Build;
 use sieben_workspace::tracing::channels;
 use sieben_workspace::tracing::scenario::{origin, rack};
 
-use super::run::{now, speed_argument};
+use super::run::now;
 use crate::arguments::{FaultArguments, ProgramArguments};
 use crate::engines::EngineArgument;
 use crate::failure::{Exit, Failure};
@@ -71,7 +71,7 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     schedule: ScheduleArguments,
     /// 1x is real time, 10x ten times as fast, max as fast as it goes [default: 1x, max for a scenario]
-    #[arg(long, value_name = "FACTOR", allow_hyphen_values = true, value_parser = speed_argument)]
+    #[arg(long, value_name = "FACTOR", allow_hyphen_values = true, value_parser = Speed::parse)]
     speed: Option<Speed>,
     /// How the CPU starts: warm or cold; retentive data of other runs is not there
     #[arg(long, value_name = "KIND", default_value = "warm", value_parser = restart_argument)]

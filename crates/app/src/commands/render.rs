@@ -7,8 +7,8 @@ use serde_json::{Value, json};
 use sieben_ide::drawing::text::Characters;
 use sieben_model::block::BlockId;
 use sieben_model::problems::Problem;
-use sieben_workspace::finding;
 use sieben_workspace::places::Places;
+use sieben_workspace::{controller, finding};
 
 use crate::arguments::ProgramArguments;
 use crate::diagrams::{self, CodeBlock, Diagrams, Form, Kind, Shown, Written};
@@ -161,19 +161,20 @@ fn svg(diagrams: &Diagrams<'_>, chosen: &[Chosen<'_>], form: Form) -> String {
 
 fn json_lines(diagrams: &Diagrams<'_>, chosen: &[Chosen<'_>], form: Form, ascii: bool) -> Result<Exit, Failure> {
     for (id, _, networks) in chosen {
+        let name = controller::name_in_source(diagrams.build(), *id).map_or_else(|| id.to_string(), str::to_owned);
         for written in networks {
             let shown = diagrams.shown(*id, written, form, None);
-            output::print_json(&object(*id, &shown, written, form, ascii), false)?;
+            output::print_json(&object(&name, &shown, written, form, ascii), false)?;
         }
     }
     Ok(Exit::Success)
 }
 
-fn object(id: BlockId, shown: &Shown, written: &Written, form: Form, ascii: bool) -> Value {
+fn object(name: &str, shown: &Shown, written: &Written, form: Form, ascii: bool) -> Value {
     let is_drawn = shown.layout.is_some();
     let form = if is_drawn || form == Form::Stl { form } else { Form::Stl };
     let text = shown.text(characters(ascii)).unwrap_or_else(|| written.text.clone());
-    let mut object = json!({ "block": id.to_string(), "network": written.number, "as": form.name().to_lowercase(), "text": text });
+    let mut object = json!({ "block": name, "network": written.number, "as": form.name().to_lowercase(), "text": text });
     if let Some(title) = &written.title {
         object["title"] = title.as_str().into();
     }

@@ -12,6 +12,7 @@ use serde_json::json;
 use sieben_cpu::{Cpu, DateAndTime, OperatingMode, Settings, StopRequest, TimeSource};
 use sieben_jit::StatusBits;
 use sieben_model::problems::Problem;
+use sieben_workspace::control::{CurrentFacts, Facts};
 use sieben_workspace::controller;
 use sieben_workspace::duration;
 use sieben_workspace::failed::{self, Failed};
@@ -21,6 +22,7 @@ use sieben_workspace::status::Desk;
 use sieben_workspace::{Driver, Gate, Pace, Plant, Speed, Surroundings};
 
 use crate::arguments::{DiagnosticsArgument, FaultArguments, ProgramArguments, StrictArgument};
+use crate::control::Server;
 use crate::duration::{cycle_argument, duration_argument};
 use crate::engines::EngineArgument;
 use crate::failure::{Exit, Failure};
@@ -38,6 +40,8 @@ const INTERRUPTED: i32 = 130;
 const ENTRIES_SHOWN: usize = 4;
 /// STOP by the mode switch: the event that Ctrl-C causes.
 const STOP_BY_SWITCH: u16 = 0x4303;
+/// STOP by a request at the control socket.
+const STOP_FROM_OUTSIDE: u16 = 0x4304;
 
 /// Run a project.
 #[derive(Args)]
@@ -59,7 +63,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "DURATION", allow_hyphen_values = true, value_parser = cycle_argument)]
     cycle: Option<Duration>,
     /// 1x is real time, 10x ten times as fast, max as fast as it goes in virtual time
-    #[arg(long, value_name = "FACTOR", default_value = "1x", allow_hyphen_values = true, value_parser = speed_argument)]
+    #[arg(long, value_name = "FACTOR", default_value = "1x", allow_hyphen_values = true, value_parser = Speed::parse)]
     speed: Speed,
     /// Stop after this time of the CPU's clock
     #[arg(long = "for", value_name = "DURATION", id = "duration", allow_hyphen_values = true, value_parser = duration_argument)]
@@ -84,18 +88,6 @@ pub(crate) struct Arguments {
     /// Print the result as one JSON object
     #[arg(long)]
     json: bool,
-}
-
-/// Reads a speed argument.
-pub(crate) fn speed_argument(text: &str) -> Result<Speed, String> {
-    if text.eq_ignore_ascii_case("max") {
-        return Ok(Speed::Max);
-    }
-    let number = text.strip_suffix(['x', 'X']).unwrap_or(text);
-    match number.parse::<f64>() {
-        Ok(factor) if (0.001..=10_000.0).contains(&factor) => Ok(Speed::Factor(factor)),
-        _ => Err(format!("`{text}` is no speed; write `1x`, `0.5x`, `10x` (0.001x to 10000x) or `max`")),
-    }
 }
 
 /// Runs the project.
@@ -131,6 +123,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let retention = choice.map(|choice| Retention::open(&choice, &mut cpu)).transpose()?;
     let cycle_us = duration::micros(cycle);
     let clock = real_clock();
+    let facts = Arc::new(CurrentFacts::new(Facts::of(&build, cpu.program())));
     let pace = Pace::new(arguments.speed, cycle_us, arguments.duration.map_or(u64::MAX, duration::micros), clock());
     let request = cpu.stop_request();
     let gate = Arc::new(Gate::new(Plant::new(cpu, pace), clock));
@@ -152,12 +145,21 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         )?),
         false => None,
     };
-    let desk = Desk::default();
-    let mut around =
-        Around { retention, watch, build: &mut build, quiet: arguments.json, failed: None, status: Status::new(), presses: &presses };
+    let desk = Arc::new(Desk::default());
+    let server = Server::start((&arguments.paths, build.project.home.as_deref()), &gate, &desk, &facts);
+    if let Err(why) = &server
+        && !arguments.json
+    {
+        output::message(why);
+    }
+    let quiet = arguments.json;
+    let (failed, status) = (None, Status::new());
+    let mut around = Around { retention, watch, build: &mut build, facts: &facts, quiet, failed, status, presses: &presses };
     Driver::new(&gate, &desk, &mut around).run(arguments.retain.restart);
     let Around { mut retention, watch, failed, status, .. } = around;
     status.clear();
+    gate.close();
+    drop(server);
     gate.finish(|plant| {
         if let Some(retention) = &mut retention {
             retention.close(&mut plant.cpu);
@@ -210,6 +212,8 @@ struct Around<'a> {
     watch: Option<Watch>,
     /// The program that runs.
     build: &'a mut Build,
+    /// What those who come in from outside know of it.
+    facts: &'a CurrentFacts,
     /// Nothing is said about online changes: the result is for a program.
     quiet: bool,
     /// The first statement that failed, with its place in the program that ran then.
@@ -235,11 +239,15 @@ impl Surroundings for Around<'_> {
                 self.failed = Failed::of(self.build, &plant.cpu);
             }
             let (quiet, status) = (self.quiet, &self.status);
+            let changes = watch.changes;
             watch.poll(&mut plant.cpu, self.build, &|text| {
                 if !quiet {
                     status.say(text)
                 }
             });
+            if watch.changes != changes {
+                self.facts.replace(Facts::of(self.build, plant.cpu.program()));
+            }
         }
     }
 
@@ -305,12 +313,15 @@ fn report(
     retention: Option<&Retention>,
     watch: Option<&Watch>,
 ) -> Result<Exit, Failure> {
-    // The STOP that Ctrl-C asked for is no failure of the program.
+    // A STOP that somebody asked for before Ctrl-C ended the run is no failure of the program.
     let stopped = cpu
         .stop_cause()
         .filter(|_| cpu.mode() == OperatingMode::Stop)
-        .filter(|cause| !(outcome.interrupted && cause.event == STOP_BY_SWITCH));
-    let mode = if stopped.is_some() { OperatingMode::Stop } else { OperatingMode::Run };
+        .filter(|cause| !(outcome.interrupted && matches!(cause.event, STOP_BY_SWITCH | STOP_FROM_OUTSIDE)));
+    // Ctrl-C itself sends the CPU to STOP: what counts is what it did before.
+    let stopped_before = cpu.stop_cause().is_some_and(|cause| cause.event != STOP_BY_SWITCH);
+    let mode =
+        if stopped.is_some() || stopped_before && cpu.mode() == OperatingMode::Stop { OperatingMode::Stop } else { OperatingMode::Run };
     if arguments.json {
         let times = cpu.cycle_times();
         let ms = |us: u64| us as f64 / 1000.0;
@@ -357,20 +368,5 @@ fn report(
             }
             Ok(if arguments.strict.is_strict() && failed.is_some() { Exit::CheckFailed } else { Exit::Success })
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn speeds_are_read() {
-        for (text, expected) in
-            [("1x", Some(1.0)), ("0.5x", Some(0.5)), ("10", Some(10.0)), ("0x", None), ("-1x", None), ("nanx", None), ("fast", None)]
-        {
-            assert_eq!(speed_argument(text).ok(), expected.map(Speed::Factor), "{text}");
-        }
-        assert_eq!(speed_argument("MAX"), Ok(Speed::Max));
     }
 }

@@ -83,7 +83,8 @@ impl Watch {
                 let value = value_now(&parameter.actual, cpu, symbols);
                 values.extend(value.map(|value| (parameter.actual.text.clone(), value)));
             }
-            Executed { ran: true, found, values }
+            let logic = matches!(statement.mnemonic, "A" | "AN" | "O" | "ON" | "X" | "XN").then_some(after.rlo != 0);
+            Executed { ran: true, found, logic, values }
         });
         Status { statements: statements.collect() }
     }

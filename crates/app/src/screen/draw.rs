@@ -5,7 +5,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::{Constraint, Layout, Rect};
 use ratatui::style::{Color, Modifier, Style};
 use ratatui::text::{Line as TextLine, Span};
-use ratatui::widgets::{Block, BorderType, Paragraph, Wrap};
+use ratatui::widgets::{Paragraph, Wrap};
 use sieben_cpu::OperatingMode;
 use sieben_sim::devices::dosing::Button;
 
@@ -13,6 +13,7 @@ use super::changes::{Entry, Event, clock, thousands};
 use super::digits::{self, Cell};
 use super::listing::Line;
 use super::session::{CYCLE_US, Session};
+use crate::palette::{Lit, Palette};
 
 /// Smallest terminal that the picture fits into.
 pub(crate) const MIN_WIDTH: u16 = 80;
@@ -34,20 +35,8 @@ pub(crate) struct View {
     pub(crate) speed: String,
     /// What the computer needs for a scan, in microseconds.
     pub(crate) scan_us: Option<f64>,
-    /// Whether colours are wanted.
-    pub(crate) colour: bool,
-}
-
-impl View {
-    fn colour(&self, colour: Color) -> Style {
-        if self.colour { Style::new().fg(colour) } else { Style::new() }
-    }
-    fn faint(&self) -> Style {
-        if self.colour { Style::new().fg(Color::DarkGray) } else { Style::new().add_modifier(Modifier::DIM) }
-    }
-    fn frame(&self, title: impl Into<TextLine<'static>>) -> Block<'static> {
-        Block::bordered().border_type(BorderType::Rounded).border_style(self.faint()).title(title)
-    }
+    /// Its colours.
+    pub(crate) palette: Palette,
 }
 
 /// Draws everything, or a request for more room.
@@ -75,11 +64,11 @@ fn draw_header(frame: &mut Frame<'_>, area: Rect, session: &Session, view: &View
     let bold = Style::new().add_modifier(Modifier::BOLD);
     let mode = session.cpu().mode();
     let running = mode == OperatingMode::Run;
-    let led = |on: bool, colour: Color| if on { Span::styled("●", view.colour(colour)) } else { Span::styled("○", view.faint()) };
+    let led = |on: bool, colour: Color| view.palette.led(Lit::when(on), colour);
     let left = TextLine::from(vec![
         Span::styled(" Sieben", bold),
         Span::raw("  dosing of a liquid  "),
-        Span::styled("│ ", view.faint()),
+        Span::styled("│ ", view.palette.faint()),
         Span::raw(format!("CPU {}  ", session.cpu().cpu_type().name)),
         led(running, Color::Green),
         Span::raw(" RUN "),
@@ -104,12 +93,7 @@ fn draw_keys(frame: &mut Frame<'_>, area: Rect, view: &View) {
         ("+ -", "speed"),
         ("q", "quit"),
     ];
-    let mut spans = vec![Span::raw(" ")];
-    for (key, word) in keys {
-        spans.push(Span::styled(key, view.colour(Color::Cyan).add_modifier(Modifier::BOLD)));
-        spans.push(Span::raw(format!(" {word}  ")));
-    }
-    frame.render_widget(Paragraph::new(TextLine::from(spans)), area);
+    frame.render_widget(Paragraph::new(view.palette.keys(&keys)), area);
 }
 
 /// The words under the plant: what a user can do now.
@@ -131,7 +115,7 @@ fn hint(session: &Session) -> String {
 }
 
 fn draw_plant(frame: &mut Frame<'_>, area: Rect, session: &Session, view: &View) {
-    let block = view.frame(" Plant ").title_bottom(TextLine::from(hint(session)).style(view.colour(Color::Cyan)));
+    let block = view.palette.frame(" Plant ").title_bottom(TextLine::from(hint(session)).style(view.palette.colour(Color::Cyan)));
     let inner = block.inner(area);
     frame.render_widget(block, area);
     let buffer = frame.buffer_mut();
@@ -144,7 +128,7 @@ fn draw_plant(frame: &mut Frame<'_>, area: Rect, session: &Session, view: &View)
 fn draw_tank(buffer: &mut Buffer, area: Rect, session: &Session, view: &View) {
     let plant = session.plant();
     let tank = &plant.tank;
-    let water = view.colour(Color::Blue);
+    let water = view.palette.colour(Color::Blue);
     let wall = Style::new();
     let (x, y) = (area.x + 1, area.y);
     let supply = f64::from(tank.settings().supply_litres);
@@ -153,13 +137,13 @@ fn draw_tank(buffer: &mut Buffer, area: Rect, session: &Session, view: &View) {
     buffer.set_string(x, y + 4, "╰────┬─┬────╯", wall);
 
     let open = tank.valve_open();
-    let (valve, style) = if open { ("▶═◀", view.colour(Color::Green)) } else { ("▶│◀", view.faint()) };
+    let (valve, style) = if open { ("▶═◀", view.palette.colour(Color::Green)) } else { ("▶│◀", view.palette.faint()) };
     buffer.set_string(x + 5, y + 5, valve, style.add_modifier(Modifier::BOLD));
-    buffer.set_string(x, y + 5, "Y1", view.faint());
+    buffer.set_string(x, y + 5, "Y1", view.palette.faint());
     // The wheel of the flow meter turns a quarter with every half litre.
     let wheel = ["◐", "◓", "◑", "◒"][(tank.litres_delivered() * 2.0) as usize % 4];
-    let meter = if plant.meter_failed { view.colour(Color::Red) } else { Style::new() };
-    buffer.set_string(x, y + 6, "B1", view.faint());
+    let meter = if plant.meter_failed { view.palette.colour(Color::Red) } else { Style::new() };
+    buffer.set_string(x, y + 6, "B1", view.palette.faint());
     buffer.set_string(x + 5, y + 6, "│ │", wall);
     buffer.set_string(x + 6, y + 6, if plant.meter_failed { "✗" } else { wheel }, meter);
 
@@ -193,7 +177,7 @@ fn vessel(buffer: &mut Buffer, area: Rect, level: f64, (wall, water): (Style, St
 }
 
 fn draw_display(buffer: &mut Buffer, x: u16, y: u16, session: &Session, view: &View) {
-    let lit = view.colour(Color::LightRed).add_modifier(Modifier::BOLD);
+    let lit = view.palette.colour(Color::LightRed).add_modifier(Modifier::BOLD);
     let word = session.plant().tank.display();
     for (position, digit) in digits::of_word(word).into_iter().enumerate() {
         for row in 0..digits::HEIGHT {
@@ -205,7 +189,7 @@ fn draw_display(buffer: &mut Buffer, x: u16, y: u16, session: &Session, view: &V
         x,
         y + 5,
         format!("QW 4 {word:04X}   C 0 {:>3}", session.changes.watched("C 0").map_or(0, |watched| watched.value)),
-        view.faint(),
+        view.palette.faint(),
     );
 }
 
@@ -225,17 +209,17 @@ fn draw_signals(buffer: &mut Buffer, x: u16, y: u16, session: &Session, view: &V
         let y = y + row as u16;
         let Some(watched) = session.changes.watched(address) else { continue };
         let (symbol, on) = (&watched.symbol, watched.value == 1);
-        let (lamp, style) = if on { ("●", view.colour(Color::Green)) } else { ("○", view.faint()) };
+        let (lamp, style) = if on { ("●", view.palette.colour(Color::Green)) } else { ("○", view.palette.faint()) };
         buffer.set_string(x, y, address, Style::new());
         buffer.set_string(x + 6, y, lamp, style);
         buffer.set_string(x + 8, y, symbol, Style::new());
-        buffer.set_string(x + 14, y, key, view.colour(Color::Cyan).add_modifier(Modifier::BOLD));
-        buffer.set_string(x + 16, y, state, view.faint());
+        buffer.set_string(x + 14, y, key, view.palette.colour(Color::Cyan).add_modifier(Modifier::BOLD));
+        buffer.set_string(x + 16, y, state, view.palette.faint());
     }
 }
 
 fn draw_changes(frame: &mut Frame<'_>, area: Rect, session: &Session, view: &View) {
-    let block = view.frame(" What changed ");
+    let block = view.palette.frame(" What changed ");
     let room = usize::from(block.inner(area).height);
     let entries = &session.changes.entries;
     let mut last = None;
@@ -247,16 +231,16 @@ fn draw_changes(frame: &mut Frame<'_>, area: Rect, session: &Session, view: &Vie
 /// An entry; its scan is written only where it differs from the one above.
 fn change_line<'a>(entry: &'a Entry, above: Option<u64>, view: &View) -> TextLine<'a> {
     let scan = if above == Some(entry.scan) { String::new() } else { thousands(entry.scan) };
-    let scan = Span::styled(format!("{scan:>7} "), view.faint());
+    let scan = Span::styled(format!("{scan:>7} "), view.palette.faint());
     match &entry.event {
         Event::Change { address, values, comment } => TextLine::from(vec![
             scan,
             Span::raw(format!("{address} ")),
             Span::styled(values.as_str(), Style::new().add_modifier(Modifier::BOLD)),
             Span::raw(" "),
-            Span::styled(comment.as_str(), view.faint()),
+            Span::styled(comment.as_str(), view.palette.faint()),
         ]),
-        Event::Note(text) => TextLine::from(vec![scan, Span::styled(text.as_str(), view.colour(Color::Yellow))]),
+        Event::Note(text) => TextLine::from(vec![scan, Span::styled(text.as_str(), view.palette.colour(Color::Yellow))]),
     }
 }
 
@@ -265,33 +249,33 @@ fn draw_program(frame: &mut Frame<'_>, area: Rect, session: &Session, view: &Vie
     let cycle = if times.last == 0 { CYCLE_US } else { times.last };
     let needs = view.scan_us.map_or(String::new(), |us| format!("· {us:.0} µs a scan "));
     let status = format!(" scan {}  cycle {} ms ", thousands(session.scans()), cycle / 1_000);
-    let block = view.frame(format!(" OB 1 {needs}")).title_bottom(TextLine::from(status));
+    let block = view.palette.frame(format!(" OB 1 {needs}")).title_bottom(TextLine::from(status));
     let inner = block.inner(area);
     // Titles of networks need five more lines.
     let titles = usize::from(inner.height) > session.lines.len();
     let symbol_width = usize::from(inner.width).saturating_sub(27).min(24);
-    let mut lines = vec![TextLine::styled(format!("{:<width$}STA RLO ACCU 1", "", width = 13 + symbol_width), view.faint())];
+    let mut lines = vec![TextLine::styled(format!("{:<width$}STA RLO ACCU 1", "", width = 13 + symbol_width), view.palette.faint())];
     for line in &session.lines {
         match line {
-            Line::Network(title) if titles => lines.push(TextLine::styled(format!("// {title}"), view.faint())),
+            Line::Network(title) if titles => lines.push(TextLine::styled(format!("// {title}"), view.palette.faint())),
             Line::Network(_) => {}
             Line::Statement { index, mnemonic, operand, symbol } => {
                 let symbol: String = symbol.chars().take(symbol_width).collect();
                 let text = format!("  {mnemonic:<3} {operand:<6}{symbol:<symbol_width$}");
                 let Some(seen) = session.seen(*index) else {
-                    lines.push(TextLine::styled(text, view.faint()));
+                    lines.push(TextLine::styled(text, view.palette.faint()));
                     continue;
                 };
-                let on = view.colour(Color::Green).add_modifier(Modifier::BOLD);
-                let bit = |value: bool| Span::styled(if value { "1" } else { "0" }, if value { on } else { view.faint() });
-                let style = if seen.rlo { view.colour(Color::Green) } else { Style::new() };
+                let on = view.palette.colour(Color::Green).add_modifier(Modifier::BOLD);
+                let bit = |value: bool| Span::styled(if value { "1" } else { "0" }, if value { on } else { view.palette.faint() });
+                let style = if seen.rlo { view.palette.colour(Color::Green) } else { Style::new() };
                 lines.push(TextLine::from(vec![
                     Span::styled(text, style),
                     Span::raw("  "),
                     bit(seen.sta),
                     Span::raw("   "),
                     bit(seen.rlo),
-                    Span::styled(format!("   {:04X}", seen.accu1 & 0xFFFF), view.faint()),
+                    Span::styled(format!("   {:04X}", seen.accu1 & 0xFFFF), view.palette.faint()),
                 ]));
             }
         }
@@ -307,7 +291,7 @@ mod tests {
     use ratatui::backend::TestBackend;
 
     fn screen(session: &Session, width: u16, height: u16) -> String {
-        let view = View { paused: false, speed: "1×".into(), scan_us: None, colour: true };
+        let view = View { paused: false, speed: "1×".into(), scan_us: None, palette: Palette::Colours };
         let mut terminal = Terminal::new(TestBackend::new(width, height)).expect("a backend in memory");
         terminal.draw(|frame| draw(frame, session, &view)).expect("a backend in memory");
         terminal.backend().to_string()

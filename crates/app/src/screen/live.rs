@@ -10,6 +10,7 @@ use sieben_sim::devices::dosing::Button;
 
 use super::draw::{self, View};
 use super::session::{Action, CYCLE_US, Session};
+use crate::palette::Palette;
 use crate::terminal::{self, Input};
 
 /// Time between two pictures.
@@ -36,9 +37,9 @@ enum Command {
 ///
 /// # Errors
 /// The terminal does not work. It is restored in any case, also if we panic.
-pub(crate) fn run(session: &mut Session, speed: f64, time: Option<Duration>, colour: bool, interrupted: &AtomicBool) -> io::Result<()> {
+pub(crate) fn run(session: &mut Session, speed: f64, time: Option<Duration>, palette: Palette, interrupted: &AtomicBool) -> io::Result<()> {
     let mut display = ratatui::try_init()?;
-    let result = play(&mut display, session, speed, time, colour, interrupted);
+    let result = play(&mut display, session, speed, time, palette, interrupted);
     terminal::restore(display);
     result
 }
@@ -48,11 +49,11 @@ fn play(
     session: &mut Session,
     mut speed: f64,
     time: Option<Duration>,
-    colour: bool,
+    palette: Palette,
     interrupted: &AtomicBool,
 ) -> io::Result<()> {
     speed = speed.clamp(SPEEDS[0], SPEEDS[SPEEDS.len() - 1]);
-    let mut view = View { paused: false, speed: String::new(), scan_us: None, colour };
+    let mut view = View { paused: false, speed: String::new(), scan_us: None, palette };
     let mut last = Instant::now();
     let mut due_us = 0.0;
     loop {
@@ -159,7 +160,7 @@ mod tests {
     #[test]
     fn a_picture_takes_bounded_work_at_any_speed() {
         let mut session = Session::new();
-        let mut view = View { paused: false, speed: String::new(), scan_us: None, colour: false };
+        let mut view = View { paused: false, speed: String::new(), scan_us: None, palette: Palette::Plain };
         let rest = scan(&mut session, 1e15, &mut view);
         assert!(session.scans() <= SCANS_PER_FRAME && rest < CYCLE_US as f64);
         assert!(view.scan_us.is_some());

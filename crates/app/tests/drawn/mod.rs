@@ -6,6 +6,8 @@ use sieben_lang::Compiled;
 use sieben_lang::body::CheckedBody;
 use sieben_lang::network::flavour::Drawing;
 use sieben_lang::network::read::Mode;
+use sieben_lang::stl::heads::with_words;
+use sieben_lang::stl::operands::Operand;
 use sieben_lang::stl::redraw::{AnswerKind, Form, Redrawing, Redrawn, Source, Target};
 use sieben_model::cpu_type::CpuType;
 use sieben_model::mnemonics::Mnemonics;
@@ -59,10 +61,43 @@ pub(crate) fn forms(stl: &str, cpu_type: &'static CpuType, count: &mut Count) ->
         compiled = program::compile(&redrawn.text, Mnemonics::English, cpu_type)
             .map_err(|message| format!("{name}: {message}\n{}", redrawn.text))?;
         text = redrawn.text;
+        under_other_endings(&text, &compiled, cpu_type).map_err(|message| format!("{name}: {message}"))?;
         let settings = program::settings(&compiled);
         forms.push(Written { name, text: text.clone(), compiled: Arc::new(compiled.program.clone()), settings });
     }
     Ok(forms)
+}
+
+/// In a file whose ending says that networks are diagrams, a text with the word at each network is the same program; and the other way round.
+fn under_other_endings(text: &str, compiled: &Compiled, cpu_type: &'static CpuType) -> Result<(), String> {
+    let words = with_words(text, None);
+    let moved = program::compile_sources(&[("page.lad", &words)], Some(Mnemonics::English), None, cpu_type)
+        .map_err(|message| format!("in a file of LAD: {message}\n{words}"))?;
+    if statements(&moved) != statements(compiled) {
+        return Err(format!("in a file of LAD it is another program:\n{words}"));
+    }
+    let usual = words.replace("NETWORK LAD\n", "NETWORK\n");
+    if with_words(&usual, Some(Drawing::Lad)) != words {
+        return Err(format!("from a file of LAD it is another text:\n{usual}"));
+    }
+    Ok(())
+}
+
+/// What each block does, without where it is written.
+fn statements(compiled: &Compiled) -> Vec<String> {
+    let operand = |operand: &Operand| match operand {
+        Operand::Call(call) => {
+            let parameters: Vec<_> = call.parameters.iter().map(|one| (&one.name, &one.actual)).collect();
+            format!("{} {:?} {parameters:?}", call.callee, call.instance)
+        }
+        other => format!("{other:?}"),
+    };
+    let stl = compiled.bodies.values().filter_map(|body| match &**body {
+        CheckedBody::Stl(block) => Some(block),
+        CheckedBody::St(_) => None,
+    });
+    let all = stl.flat_map(|block| block.statements.iter().map(|one| (block.id, one)));
+    all.map(|(id, one)| format!("{id} {} {}", one.instruction.english(), operand(&one.operand))).collect()
 }
 
 fn redraw(text: &str, compiled: &Compiled, target: Target) -> Redrawn {

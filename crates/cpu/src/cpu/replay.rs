@@ -7,8 +7,9 @@ use sieben_model::cpu_type::CpuType;
 
 use super::snapshot::EndState;
 use super::{Cpu, Loaded, ScanReport, Snapshot};
-use crate::io::Rack;
+use crate::io::{Place, Rack};
 use crate::retain::Declarations;
+use crate::tape::Reading;
 
 /// Most readings of the clock that are kept of one scan.
 const READINGS_MAX: usize = 65_536;
@@ -21,6 +22,9 @@ pub struct RecordedScan {
     before: Snapshot,
     /// What the clock showed, in the order in which it was asked.
     clock: Vec<u64>,
+    /// Where the modules are, and what those said that cannot be copied.
+    places: Vec<Place>,
+    readings: Vec<Reading>,
     after: Arc<EndState>,
     report: ScanReport,
 }
@@ -35,8 +39,6 @@ pub struct Replayer {
 /// Why a scan cannot be replayed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NotReplayed {
-    /// One of its modules cannot be copied.
-    Modules,
     /// It asked the clock more often than is kept.
     TooLong,
 }
@@ -44,7 +46,6 @@ pub enum NotReplayed {
 impl std::fmt::Display for NotReplayed {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(match self {
-            Self::Modules => "a module of this CPU cannot be copied, so its scans cannot be replayed",
             Self::TooLong => "the scan is too long to be replayed",
         })
     }
@@ -67,7 +68,7 @@ impl RecordedScan {
         Arc::ptr_eq(&cpu.program, &self.program) && self.before.fits(cpu)
     }
 
-    fn cpu(&self) -> Option<Cpu> {
+    fn cpu(&self) -> Cpu {
         let layout = self.before.layout();
         let engine = Interpreter::load(&self.program, &layout);
         let loaded = Loaded {
@@ -78,7 +79,7 @@ impl RecordedScan {
             layout,
             engine,
         };
-        Some(Cpu::new(loaded, Rack::of_snapshot(self.cpu_type, self.before.rack())?, self.before.settings().clone()))
+        Cpu::new(loaded, Rack::of_places(self.cpu_type, &self.places), self.before.settings().clone())
     }
 
     /// Runs the scan again and tells the tracer of its statements; whether it ended as the real one did.
@@ -89,14 +90,12 @@ impl RecordedScan {
         if self.clock.len() >= READINGS_MAX {
             return Err(NotReplayed::TooLong);
         }
-        if replayer.cpu.as_ref().is_none_or(|cpu| !self.is_for(cpu)) {
-            replayer.cpu = Some(self.cpu().ok_or(NotReplayed::Modules)?);
-        }
-        let Some(cpu) = &mut replayer.cpu else { return Err(NotReplayed::Modules) };
-        if !self.before.has_modules() {
-            return Err(NotReplayed::Modules);
-        }
+        let known = replayer.cpu.take().filter(|cpu| self.is_for(cpu));
+        let cpu = replayer.cpu.insert(known.unwrap_or_else(|| self.cpu()));
         cpu.go_back_to(&self.before);
+        if !self.before.has_modules() {
+            cpu.rack.play(self.readings.clone());
+        }
         let mut next = 0;
         let mut clock = || {
             let reading = self.clock.get(next).or(self.clock.last()).copied().unwrap_or_default();
@@ -111,6 +110,7 @@ impl RecordedScan {
 impl Cpu {
     /// As [`Self::scan_with`], with a recording for a [`Replayer`]. What did not change since the end of the recording `like` is shared with it.
     pub fn scan_recorded(&mut self, clock: &mut dyn FnMut() -> u64, like: Option<&EndState>) -> (ScanReport, RecordedScan) {
+        let recording = self.rack.begin_record();
         let before = self.snapshot_after(like);
         let mut readings = Vec::new();
         let mut reading = || {
@@ -122,7 +122,16 @@ impl Cpu {
         };
         let report = self.scan_with(&mut reading, None);
         let after = Arc::new(EndState::of(self, &before));
-        let record = RecordedScan { cpu_type: self.cpu_type, program: Arc::clone(&self.program), before, clock: readings, after, report };
+        let record = RecordedScan {
+            cpu_type: self.cpu_type,
+            program: Arc::clone(&self.program),
+            before,
+            clock: readings,
+            places: self.rack.places(),
+            readings: self.rack.end_record(recording),
+            after,
+            report,
+        };
         (report, record)
     }
 }

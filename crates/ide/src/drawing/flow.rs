@@ -88,6 +88,8 @@ pub struct Executed {
     pub ran: bool,
     /// What it found itself: the bit that it checks, before a negation; the result of a comparison; the pulse of an edge. `None` for all others.
     pub found: Option<bool>,
+    /// The result of logic after a check of a bit.
+    pub logic: Option<bool>,
     /// Values: of an operand by what is written, of a pin by its name.
     pub values: Vec<(String, String)>,
 }
@@ -128,6 +130,16 @@ impl Status {
         }
     }
 
+    /// The result of logic after the statement of a place; `None` if there is no such statement. None of them is the first of its network.
+    fn logic(&self, place: Place) -> Option<Flow> {
+        let [only] = self.of(place) else { return None };
+        match (place.last, only.ran) {
+            (0, _) => None,
+            (_, false) => Some(Flow::NotRun),
+            (_, true) => only.logic.map(|logic| Flow::of(Some(logic))),
+        }
+    }
+
     /// The value of an operand or pin of an element.
     pub(super) fn value(&self, place: Place, name: &str) -> Option<String> {
         let statements = self.of(place);
@@ -155,6 +167,7 @@ pub fn flows(layout: &Layout, status: Option<&Status>) -> Vec<Flow> {
                 if own == Flow::NotRun { own } else { of(before).and(own) }
             }
             Net::Found(place) => status.found(*place),
+            Net::Tapped { before, place } => status.logic(*place).unwrap_or_else(|| of(before)),
             Net::Not(before) => of(before).negated(),
             Net::Join { before, branches } => branches.iter().map(of).fold(Flow::NotRun, Flow::or).and(of(before)),
             Net::Gate { gate, inputs } => {

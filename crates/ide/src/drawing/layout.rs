@@ -171,6 +171,14 @@ pub enum Net {
     },
     /// After a box or an edge: what was found.
     Found(Place),
+    /// Where a sub-rung begins: the logic after the statement that reads the tapped line. It is another than that of the line before while a zone of the
+    /// master control relay is off, and after SAVE in the branch above.
+    Tapped {
+        /// The line that is tapped, if no such statement is known.
+        before: NetId,
+        /// The statement.
+        place: Place,
+    },
     /// After a NOT: the line before, negated.
     Not(NetId),
     /// After branches in parallel: the line before AND any of the branches.

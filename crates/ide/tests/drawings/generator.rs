@@ -92,7 +92,7 @@ impl Random {
             0..=2 => End::Outputs((0..=self.below(3)).map(|_| self.output()).collect()),
             _ => End::Branches((0..2 + self.below(2)).map(|_| self.rung(depth - 1)).collect()),
         };
-        Rung { line, end }
+        Rung::new(line, end)
     }
 
     fn output(&mut self) -> Output {

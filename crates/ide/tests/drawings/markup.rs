@@ -21,7 +21,7 @@ fn picture(title: &str, layout: &Layout) -> String {
 fn named(name: &str) -> Network {
     let line = vec![Kind::contact(name, false).at(Place::default())];
     let outputs = vec![OutputKind::Assign(name.into()).at(Place::default())];
-    Network { label: Some(name.into()), content: Content::Rung(Rung { line, end: End::Outputs(outputs) }) }
+    Network { label: Some(name.into()), content: Content::Rung(Rung::new(line, End::Outputs(outputs))) }
 }
 
 const HOSTILE: [&str; 6] =

@@ -6,8 +6,9 @@ use sieben_ide::drawing::{Options, function_plan, ladder, svg};
 use sieben_lang::network::flavour::Flavour;
 use sieben_lang::network::form_b;
 use sieben_lang::network::model::{Content, Element, End, Kind, Network, Place, Rung};
+use sieben_lang::network::write::reads_tap;
 
-/// Gives each element statements of its own, in the order of the line; what lies inside of an element stands before it.
+/// Gives each element, and each sub-rung that begins with the tapped line, a statement of its own, in the order of the line; what lies inside of an element stands before it.
 fn with_statements(text: &str) -> Network {
     let mut network = form_b::parse(text, 0, Flavour::S7).unwrap();
     if let Content::Rung(rung) = &mut network.content {
@@ -39,7 +40,15 @@ fn number_rung(rung: &mut Rung, next: &mut u32) {
                 *next += 1;
             }
         }
-        End::Branches(rungs) => rungs.iter_mut().for_each(|rung| number_rung(rung, next)),
+        End::Branches(rungs) => {
+            for rung in rungs {
+                if !reads_tap(&rung.line) {
+                    rung.tap = Place { first: *next, last: *next };
+                    *next += 1;
+                }
+                number_rung(rung, next);
+            }
+        }
     }
 }
 
@@ -53,7 +62,7 @@ fn status(statements: &str) -> Status {
             _ => None,
         };
         let values = value.split_once(':').map(|(operand, value)| (operand.replace('_', " "), value.to_owned()));
-        Executed { ran: found != ".", found: found_bit, values: values.into_iter().collect() }
+        Executed { ran: found != ".", found: found_bit, logic: found_bit, values: values.into_iter().collect() }
     };
     Status { statements: statements.split_whitespace().map(one).collect() }
 }

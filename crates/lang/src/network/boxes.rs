@@ -1,5 +1,7 @@
 //! The boxes of LAD and FBD that stand for instructions: one row for each, and the kinds of timer and counter boxes.
 
+use super::pin_types::PinType;
+
 /// A box with EN and ENO that is no call.
 #[derive(Debug, PartialEq)]
 pub struct BoxRow {
@@ -13,8 +15,8 @@ pub struct BoxRow {
     pub reversed: bool,
     /// ENO tells overflow.
     pub overflows: bool,
-    /// Bits of the inputs and the output; 0 for any.
-    pub widths: &'static [u8],
+    /// What the inputs take, and the output.
+    pub types: &'static [PinType],
 }
 
 const fn row(
@@ -22,76 +24,85 @@ const fn row(
     instruction: &'static str,
     inputs: &'static [&'static str],
     overflows: bool,
-    widths: &'static [u8],
+    types: &'static [PinType],
 ) -> BoxRow {
-    BoxRow { name, instruction, inputs, reversed: false, overflows, widths }
+    BoxRow { name, instruction, inputs, reversed: false, overflows, types }
 }
 
-const fn shift(name: &'static str, instruction: &'static str, widths: &'static [u8]) -> BoxRow {
-    BoxRow { name, instruction, inputs: &["IN", "N"], reversed: true, overflows: false, widths }
+const fn shift(name: &'static str, instruction: &'static str, types: &'static [PinType]) -> BoxRow {
+    BoxRow { name, instruction, inputs: &["IN", "N"], reversed: true, overflows: false, types }
 }
 
 const ONE: &[&str] = &["IN"];
 const TWO: &[&str] = &["IN1", "IN2"];
-const W: &[u8] = &[16, 16, 16];
-const D: &[u8] = &[32, 32, 32];
+const INT: PinType = PinType::Int;
+const DINT: PinType = PinType::DoubleInt;
+const REAL: PinType = PinType::Real;
+const WORD: PinType = PinType::Word;
+const DWORD: PinType = PinType::DoubleWord;
+const INTS: &[PinType] = &[INT, INT, INT];
+const DINTS: &[PinType] = &[DINT, DINT, DINT];
+const REALS: &[PinType] = &[REAL, REAL, REAL];
+const ONE_REAL: &[PinType] = &[REAL, REAL];
+const WORDS: &[PinType] = &[WORD, WORD, WORD];
+const DWORDS: &[PinType] = &[DWORD, DWORD, DWORD];
 
 /// All boxes with EN and ENO that are no calls.
 pub static BOXES: &[BoxRow] = &[
-    row("MOVE", "", ONE, false, &[0, 0]),
-    row("ADD_I", "+I", TWO, true, W),
-    row("SUB_I", "-I", TWO, true, W),
-    row("MUL_I", "*I", TWO, true, W),
-    row("DIV_I", "/I", TWO, true, W),
-    row("ADD_DI", "+D", TWO, true, D),
-    row("SUB_DI", "-D", TWO, true, D),
-    row("MUL_DI", "*D", TWO, true, D),
-    row("DIV_DI", "/D", TWO, true, D),
-    row("MOD_DI", "MOD", TWO, true, D),
-    row("ADD_R", "+R", TWO, true, D),
-    row("SUB_R", "-R", TWO, true, D),
-    row("MUL_R", "*R", TWO, true, D),
-    row("DIV_R", "/R", TWO, true, D),
-    row("ABS", "ABS", ONE, false, &[32, 32]),
-    row("SQR", "SQR", ONE, true, &[32, 32]),
-    row("SQRT", "SQRT", ONE, true, &[32, 32]),
-    row("LN", "LN", ONE, true, &[32, 32]),
-    row("EXP", "EXP", ONE, true, &[32, 32]),
-    row("SIN", "SIN", ONE, true, &[32, 32]),
-    row("COS", "COS", ONE, true, &[32, 32]),
-    row("TAN", "TAN", ONE, true, &[32, 32]),
-    row("ASIN", "ASIN", ONE, true, &[32, 32]),
-    row("ACOS", "ACOS", ONE, true, &[32, 32]),
-    row("ATAN", "ATAN", ONE, true, &[32, 32]),
-    row("BCD_I", "BTI", ONE, false, &[16, 16]),
-    row("BCD_DI", "BTD", ONE, false, &[32, 32]),
-    row("I_DINT", "ITD", ONE, false, &[16, 32]),
-    row("DI_REAL", "DTR", ONE, false, &[32, 32]),
-    row("I_BCD", "ITB", ONE, true, &[16, 16]),
-    row("DI_BCD", "DTB", ONE, true, &[32, 32]),
-    row("ROUND", "RND", ONE, true, &[32, 32]),
-    row("TRUNC", "TRUNC", ONE, true, &[32, 32]),
-    row("CEIL", "RND+", ONE, true, &[32, 32]),
-    row("FLOOR", "RND-", ONE, true, &[32, 32]),
-    row("NEG_I", "NEGI", ONE, true, &[16, 16]),
-    row("NEG_DI", "NEGD", ONE, true, &[32, 32]),
-    row("INV_I", "INVI", ONE, false, &[16, 16]),
-    row("INV_DI", "INVD", ONE, false, &[32, 32]),
-    row("NEG_R", "NEGR", ONE, false, &[32, 32]),
-    row("WAND_W", "AW", TWO, false, W),
-    row("WOR_W", "OW", TWO, false, W),
-    row("WXOR_W", "XOW", TWO, false, W),
-    row("WAND_DW", "AD", TWO, false, D),
-    row("WOR_DW", "OD", TWO, false, D),
-    row("WXOR_DW", "XOD", TWO, false, D),
-    shift("SHL_W", "SLW", W),
-    shift("SHR_W", "SRW", W),
-    shift("SHL_DW", "SLD", &[32, 16, 32]),
-    shift("SHR_DW", "SRD", &[32, 16, 32]),
-    shift("SHR_I", "SSI", W),
-    shift("SHR_DI", "SSD", &[32, 16, 32]),
-    shift("ROL_DW", "RLD", &[32, 16, 32]),
-    shift("ROR_DW", "RRD", &[32, 16, 32]),
+    row("MOVE", "", ONE, false, &[PinType::Any, PinType::Any]),
+    row("ADD_I", "+I", TWO, true, INTS),
+    row("SUB_I", "-I", TWO, true, INTS),
+    row("MUL_I", "*I", TWO, true, INTS),
+    row("DIV_I", "/I", TWO, true, INTS),
+    row("ADD_DI", "+D", TWO, true, DINTS),
+    row("SUB_DI", "-D", TWO, true, DINTS),
+    row("MUL_DI", "*D", TWO, true, DINTS),
+    row("DIV_DI", "/D", TWO, true, DINTS),
+    row("MOD_DI", "MOD", TWO, true, DINTS),
+    row("ADD_R", "+R", TWO, true, REALS),
+    row("SUB_R", "-R", TWO, true, REALS),
+    row("MUL_R", "*R", TWO, true, REALS),
+    row("DIV_R", "/R", TWO, true, REALS),
+    row("ABS", "ABS", ONE, false, ONE_REAL),
+    row("SQR", "SQR", ONE, true, ONE_REAL),
+    row("SQRT", "SQRT", ONE, true, ONE_REAL),
+    row("LN", "LN", ONE, true, ONE_REAL),
+    row("EXP", "EXP", ONE, true, ONE_REAL),
+    row("SIN", "SIN", ONE, true, ONE_REAL),
+    row("COS", "COS", ONE, true, ONE_REAL),
+    row("TAN", "TAN", ONE, true, ONE_REAL),
+    row("ASIN", "ASIN", ONE, true, ONE_REAL),
+    row("ACOS", "ACOS", ONE, true, ONE_REAL),
+    row("ATAN", "ATAN", ONE, true, ONE_REAL),
+    row("BCD_I", "BTI", ONE, false, &[WORD, INT]),
+    row("BCD_DI", "BTD", ONE, false, &[DWORD, DINT]),
+    row("I_DINT", "ITD", ONE, false, &[INT, DINT]),
+    row("DI_REAL", "DTR", ONE, false, &[DINT, REAL]),
+    row("I_BCD", "ITB", ONE, true, &[INT, WORD]),
+    row("DI_BCD", "DTB", ONE, true, &[DINT, DWORD]),
+    row("ROUND", "RND", ONE, true, &[REAL, DINT]),
+    row("TRUNC", "TRUNC", ONE, true, &[REAL, DINT]),
+    row("CEIL", "RND+", ONE, true, &[REAL, DINT]),
+    row("FLOOR", "RND-", ONE, true, &[REAL, DINT]),
+    row("NEG_I", "NEGI", ONE, true, &[INT, INT]),
+    row("NEG_DI", "NEGD", ONE, true, &[DINT, DINT]),
+    row("INV_I", "INVI", ONE, false, &[INT, INT]),
+    row("INV_DI", "INVD", ONE, false, &[DINT, DINT]),
+    row("NEG_R", "NEGR", ONE, false, ONE_REAL),
+    row("WAND_W", "AW", TWO, false, WORDS),
+    row("WOR_W", "OW", TWO, false, WORDS),
+    row("WXOR_W", "XOW", TWO, false, WORDS),
+    row("WAND_DW", "AD", TWO, false, DWORDS),
+    row("WOR_DW", "OD", TWO, false, DWORDS),
+    row("WXOR_DW", "XOD", TWO, false, DWORDS),
+    shift("SHL_W", "SLW", WORDS),
+    shift("SHR_W", "SRW", WORDS),
+    shift("SHL_DW", "SLD", &[DWORD, WORD, DWORD]),
+    shift("SHR_DW", "SRD", &[DWORD, WORD, DWORD]),
+    shift("SHR_I", "SSI", &[INT, WORD, INT]),
+    shift("SHR_DI", "SSD", &[DINT, WORD, DINT]),
+    shift("ROL_DW", "RLD", &[DWORD, WORD, DWORD]),
+    shift("ROR_DW", "RRD", &[DWORD, WORD, DWORD]),
 ];
 
 impl BoxRow {
@@ -148,7 +159,7 @@ impl TimerKind {
 }
 
 /// Which counter box.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum CounterKind {
     /// S_CU.
     Up,

@@ -23,6 +23,14 @@ impl Mistake {
         Self { kind, start, end, message: message.into(), help: None }
     }
 
+    /// A mistake whose message says after `; ` what to do.
+    pub fn told(kind: MistakeKind, start: usize, end: usize, message: &str) -> Self {
+        match message.split_once("; ") {
+            Some((message, help)) => Self::new(kind, start, end, message).help(help),
+            None => Self::new(kind, start, end, message),
+        }
+    }
+
     /// With what to do.
     pub fn help(mut self, help: impl Into<String>) -> Self {
         self.help = Some(help.into());

@@ -76,6 +76,15 @@ pub struct Rung {
     pub line: Line,
     /// What stands at the right.
     pub end: End,
+    /// Of a sub-rung that was read from statements and begins with the tapped line the statement that reads it; otherwise nothing stands there.
+    pub tap: Place,
+}
+
+impl Rung {
+    /// A rung that was not read from statements, or begins at the rail.
+    pub fn new(line: Line, end: End) -> Self {
+        Self { line, end, tap: Place::default() }
+    }
 }
 
 /// Elements in series; each acts on the line that comes from the left.

@@ -24,6 +24,13 @@ impl Operand {
     }
 }
 
+/// Whether a word before `=>` may be the name of an output: no number, no path, and neither TRUE nor FALSE.
+pub(super) fn may_name_output(word: &str) -> bool {
+    let is_truth = ["TRUE", "FALSE"].iter().any(|truth| truth.eq_ignore_ascii_case(word));
+    let is_word = word.chars().all(|sign| sign.is_alphanumeric() || sign == '_');
+    is_word && !is_truth && word.starts_with(|sign: char| sign.is_alphabetic() || sign == '_')
+}
+
 /// The status bits that a contact may read; BIE is BR in German mnemonics.
 pub const STATUS_BITS: [&str; 11] = ["OV", "OS", "UO", "BR", "BIE", "==0", "<>0", ">0", "<0", ">=0", "<=0"];
 
@@ -121,10 +128,10 @@ impl Operand {
 }
 
 /// The letters of addresses, in both mnemonic languages.
-const ADDRESS_LETTERS: [&str; 50] = [
+const ADDRESS_LETTERS: [&str; 54] = [
     "I", "IB", "IW", "ID", "E", "EB", "EW", "ED", "Q", "QB", "QW", "QD", "A", "AB", "AW", "AD", "M", "MB", "MW", "MD", "L", "LB", "LW",
     "LD", "T", "C", "Z", "DBX", "DBB", "DBW", "DBD", "DIX", "DIB", "DIW", "DID", "PIB", "PIW", "PID", "PQB", "PQW", "PQD", "PEB", "PEW",
-    "PED", "PAB", "PAW", "PAD", "FC", "FB", "DB",
+    "PED", "PAB", "PAW", "PAD", "FC", "FB", "DB", "SFC", "SFB", "DI", "OB",
 ];
 
 /// The letters of bits.
@@ -146,8 +153,7 @@ fn compact(text: &str) -> String {
             let mut next = rest.clone();
             while next.next_if(|sign| *sign == ' ' || *sign == '\t').is_some() {}
             let letters = out.trim_end_matches(|before: char| before.is_ascii_alphabetic()).len();
-            let is_address = ADDRESS_LETTERS.contains(&out[letters..].to_ascii_uppercase().as_str())
-                || ["SFC", "SFB", "DI", "OB"].contains(&out[letters..].to_ascii_uppercase().as_str());
+            let is_address = ADDRESS_LETTERS.contains(&out[letters..].to_ascii_uppercase().as_str());
             if is_address && next.peek().is_some_and(|sign| sign.is_ascii_digit()) {
                 rest = next;
                 continue;

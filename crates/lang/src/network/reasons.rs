@@ -61,7 +61,7 @@ reasons! {
     /// An edge or a NOT of a part of a line.
     Neg { code: "R-NEG", problem: 9017, sentence: "ladder has no edge, NOT or box for a part in the middle of a line", fix: "draw it as FBD" }
     /// Operands whose width the box does not take.
-    Width { code: "R-WIDTH", problem: 9018, sentence: "the width of this operand does not fit the box", fix: "move it to an operand of the width of the box first" }
+    Width { code: "R-WIDTH", problem: 9018, sentence: "this operand does not fit the pin", fix: "use an operand of that type, or move it to one first" }
     /// Logic of the network before goes on.
     Carried { code: "R-CARRY", problem: 9022, sentence: "the network before it leaves its logic open (SAVE, or no output), and written in another way this one would do something else with it", fix: "end the network before with an output" }
     /// More elements than a diagram has.

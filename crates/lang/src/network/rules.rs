@@ -18,17 +18,13 @@ pub fn outputs(outputs: Vec<Output>) -> End {
     if outputs.len() < 2 || outputs.iter().all(plain) {
         return End::Outputs(outputs);
     }
-    let rung = |output| Rung { line: Line::new(), end: End::Outputs(vec![output]) };
+    let rung = |output| Rung::new(Line::new(), End::Outputs(vec![output]));
     End::Branches(outputs.into_iter().map(rung).collect())
 }
 
 /// All that is wrong with a network, in its order. Places of elements are bytes of the text; `drawing` is what it is written as, if that is known.
 pub fn mistakes(network: &Network, flavour: Flavour, drawing: Option<Drawing>) -> Vec<Mistake> {
-    let mut rules = Rules { flavour, drawing, found: Vec::new(), place: Place::default(), elements: 0 };
-    if let Content::Rung(rung) = &network.content {
-        rules.rung(rung, Begin::Rail);
-    }
-    rules.found
+    Rules::of(network, flavour, drawing).found
 }
 
 /// What a diagram has too much of.
@@ -42,10 +38,7 @@ pub enum Limit {
 
 /// What a network has too much of, if anything.
 pub fn limit(network: &Network) -> Option<Limit> {
-    let mut rules = Rules { flavour: Flavour::S7, drawing: None, found: Vec::new(), place: Place::default(), elements: 0 };
-    if let Content::Rung(rung) = &network.content {
-        rules.rung(rung, Begin::Rail);
-    }
+    let rules = Rules::of(network, Flavour::S7, None);
     match rules.elements > ELEMENTS_MAX {
         true => Some(Limit::Elements),
         false => rules.found.iter().any(|mistake| mistake.kind == MistakeKind::Size).then_some(Limit::Brackets),
@@ -85,14 +78,18 @@ struct Rules {
 }
 
 impl Rules {
+    /// What is to be said of a network.
+    fn of(network: &Network, flavour: Flavour, drawing: Option<Drawing>) -> Self {
+        let mut rules = Self { flavour, drawing, found: Vec::new(), place: Place::default(), elements: 0 };
+        if let Content::Rung(rung) = &network.content {
+            rules.rung(rung, Begin::Rail);
+        }
+        rules
+    }
+
     /// A mistake; what is to be done follows a semicolon.
     fn report(&mut self, kind: MistakeKind, place: Place, message: impl Into<String>) {
-        let message = message.into();
-        let mistake = |message: &str| Mistake::new(kind, place.first as usize, place.last as usize, message);
-        self.found.push(match message.split_once("; ") {
-            Some((message, help)) => mistake(message).help(help),
-            None => mistake(&message),
-        });
+        self.found.push(Mistake::told(kind, place.first as usize, place.last as usize, &message.into()));
     }
 
     fn rung(&mut self, rung: &Rung, from: Begin) {

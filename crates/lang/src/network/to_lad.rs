@@ -49,7 +49,7 @@ impl Drawer {
             End::Branches(rungs) => End::Branches(rungs.iter().map(|rung| self.rung(rung, Begins::Tap)).collect::<Drawn<_>>()?),
             other => other.clone(),
         };
-        Ok(Rung { line, end })
+        Ok(Rung { line, end, tap: rung.tap })
     }
 
     fn line(&mut self, elements: &[Element], begins: Begins) -> Drawn<Line> {

@@ -3,6 +3,7 @@
 use super::boxes::CounterKind;
 use super::model::{Actual, Alone, Branch, Content, Counter, Element, End, Kind, Line, Network, Output, OutputKind, Pin, Place, Rung};
 use super::operand::Operand;
+use super::pin_types::{PinType, TypedPin};
 use super::statement::{Parameter, Passing, Statement};
 
 /// The statements of a network.
@@ -10,6 +11,8 @@ use super::statement::{Parameter, Passing, Statement};
 pub struct Written {
     /// In their order, each with the place of the element that makes it.
     pub statements: Vec<Statement>,
+    /// What the operand of each statement is wired to; `None` for one that the diagram does not show.
+    pub pins: Vec<Option<TypedPin>>,
     /// The first bit of local data after those that T-branches and the pins of calls take.
     pub scratch_end: u32,
 }
@@ -18,7 +21,14 @@ pub struct Written {
 ///
 /// Elements that only diagrams of IEC 61131-3 have stand for no statement and are left out.
 pub fn write(network: &Network, scratch: u32, labels: &mut u32) -> Written {
-    let mut writer = Writer { statements: Vec::new(), next_bit: scratch, labels, label: network.label.clone(), place: Place::default() };
+    let mut writer = Writer {
+        statements: Vec::new(),
+        pins: Vec::new(),
+        next_bit: scratch,
+        labels,
+        label: network.label.clone(),
+        place: Place::default(),
+    };
     match &network.content {
         Content::Empty => writer.put("NOP", "0"),
         Content::Alone(alone, place) => {
@@ -27,12 +37,19 @@ pub fn write(network: &Network, scratch: u32, labels: &mut u32) -> Written {
         }
         Content::Rung(rung) => writer.rung(rung, Source { tap: None, from_left: false }),
     }
-    Written { statements: writer.statements, scratch_end: writer.next_bit }
+    Written { statements: writer.statements, pins: writer.pins, scratch_end: writer.next_bit }
 }
 
 /// How a bit of local data is written.
 pub fn scratch_bit(bit: u32) -> Operand {
     Operand::from(format!("L {}.{}", bit / 8, bit % 8))
+}
+
+/// The number of a bit of local data, as [`scratch_bit`] writes it: its byte times 8, and the bit.
+pub fn scratch_number(operand: &str) -> Option<u32> {
+    let (byte, bit) = operand.strip_prefix('L')?.trim_start().split_once('.')?;
+    let bit = bit.parse::<u32>().ok().filter(|bit| *bit < 8)?;
+    byte.parse::<u32>().ok()?.checked_mul(8)?.checked_add(bit)
 }
 
 /// What comes after a value.
@@ -62,8 +79,16 @@ impl Source<'_> {
     }
 }
 
+/// The operand that stands over a box, and what it has to be.
+#[derive(Clone, Copy)]
+struct Own<'o> {
+    operand: &'o Operand,
+    pin: TypedPin,
+}
+
 struct Writer<'l> {
     statements: Vec<Statement>,
+    pins: Vec<Option<TypedPin>>,
     next_bit: u32,
     labels: &'l mut u32,
     /// The label of the statement that comes next.
@@ -77,6 +102,30 @@ impl Writer<'_> {
         statement.label = self.label.take();
         statement.place = self.place;
         self.statements.push(statement);
+        self.pins.push(None);
+    }
+
+    /// A statement whose operand is wired to a pin, or belongs to an element.
+    fn wired(&mut self, mnemonic: &'static str, operand: &Operand, pin: Option<TypedPin>) {
+        self.put(mnemonic, operand.clone());
+        if let Some(last) = self.pins.last_mut() {
+            *last = pin;
+        }
+    }
+
+    /// A statement whose operand is that of an element itself.
+    fn own(&mut self, mnemonic: &'static str, operand: &Operand, element: &'static str, takes: PinType) {
+        self.wired(mnemonic, operand, Some(TypedPin::operand(element, takes)));
+    }
+
+    /// A statement with the operand that stands over a box.
+    fn of_box(&mut self, mnemonic: &'static str, own: Own<'_>) {
+        self.wired(mnemonic, own.operand, Some(own.pin));
+    }
+
+    /// A contact, by what it checks with.
+    fn contact(&mut self, checks: &Checks, operand: &Operand, negated: bool) {
+        self.own(checks.bit(negated), operand, if negated { "NC" } else { "NO" }, PinType::Contact);
     }
 
     fn put(&mut self, mnemonic: &'static str, operand: impl Into<Operand>) {
@@ -85,12 +134,12 @@ impl Writer<'_> {
 
     fn alone(&mut self, alone: &Alone) {
         match alone {
-            Alone::Open(block) => self.put("OPN", block.clone()),
+            Alone::Open(block) => self.own("OPN", block, "OPN", PinType::Block),
             Alone::McrActivate => self.put("MCRA", ""),
             Alone::McrDeactivate => self.put("MCRD", ""),
             Alone::McrEnd => self.put(")MCR", ""),
             Alone::Jump(label) => self.put("JU", label.clone()),
-            Alone::Call(block) => self.put("UC", block.clone()),
+            Alone::Call(block) => self.own("UC", block, "UC", PinType::Block),
             Alone::Return => {}
         }
     }
@@ -127,9 +176,9 @@ impl Writer<'_> {
     fn output(&mut self, output: &Output) {
         self.place = output.place;
         match &output.kind {
-            OutputKind::Assign(operand) => self.put("=", operand.clone()),
-            OutputKind::Set(operand) => self.put("S", operand.clone()),
-            OutputKind::Reset(operand) => self.put("R", operand.clone()),
+            OutputKind::Assign(operand) => self.own("=", operand, "COIL", PinType::Bit),
+            OutputKind::Set(operand) => self.own("S", operand, "SET", PinType::Bit),
+            OutputKind::Reset(operand) => self.own("R", operand, "RESET", PinType::Resettable),
             OutputKind::Save => self.put("SAVE", ""),
             OutputKind::Return => {
                 self.put("SAVE", "");
@@ -137,18 +186,18 @@ impl Writer<'_> {
             }
             OutputKind::Jump(label) => self.put("JC", label.clone()),
             OutputKind::JumpNot(label) => self.put("JCN", label.clone()),
-            OutputKind::Call(block) => self.put("CC", block.clone()),
+            OutputKind::Call(block) => self.own("CC", block, "CC", PinType::Block),
             OutputKind::McrStart => self.put("MCR(", ""),
             OutputKind::Timer { kind, timer, value } => {
-                self.put("L", value.clone());
-                self.put(kind.instruction(), timer.clone());
+                self.wired("L", value, Some(TypedPin::time_of_coil(*kind)));
+                self.own(kind.instruction(), timer, kind.instruction(), PinType::Timer);
             }
             OutputKind::SetCounter { counter, value } => {
-                self.put("L", value.clone());
-                self.put("S", counter.clone());
+                self.wired("L", value, Some(TypedPin::COUNT_OF_COIL));
+                self.own("S", counter, "SC", PinType::Counter);
             }
-            OutputKind::CountUp(counter) => self.put("CU", counter.clone()),
-            OutputKind::CountDown(counter) => self.put("CD", counter.clone()),
+            OutputKind::CountUp(counter) => self.own("CU", counter, "CU", PinType::Counter),
+            OutputKind::CountDown(counter) => self.own("CD", counter, "CD", PinType::Counter),
             OutputKind::AssignNegated(_) | OutputKind::AssignEdge { .. } => {}
         }
     }
@@ -216,7 +265,7 @@ impl Writer<'_> {
         self.place = element.place;
         let negated = element.kind.is_negated() || circle;
         match &element.kind {
-            Kind::Contact { operand, .. } => self.put(checks.bit(negated), operand.clone()),
+            Kind::Contact { operand, .. } => self.contact(checks, operand, negated),
             Kind::Tap { .. } => self.put(checks.bit(negated), source.tap.cloned().unwrap_or_default()),
             Kind::Edge { .. } | Kind::Not | Kind::Midline { .. } => self.bare(element, source),
             _ => {
@@ -232,11 +281,12 @@ impl Writer<'_> {
     fn bare(&mut self, element: &Element, source: Source<'_>) {
         self.place = element.place;
         match &element.kind {
-            Kind::Contact { operand, negated } => self.put(AND.bit(*negated), operand.clone()),
+            Kind::Contact { operand, negated } => self.contact(&AND, operand, *negated),
             Kind::Tap { negated } => self.put(AND.bit(*negated), source.tap.cloned().unwrap_or_default()),
             Kind::Compare { operation, left, right, .. } => {
-                self.put("L", left.clone());
-                self.put("L", right.clone());
+                let [first, second] = TypedPin::of_comparison(operation);
+                self.wired("L", left, Some(first));
+                self.wired("L", right, Some(second));
                 self.put(operation, "");
             }
             Kind::Parallel { branches, .. } => self.parallel(branches, source),
@@ -246,16 +296,17 @@ impl Writer<'_> {
                 }
             }
             Kind::Group { line, .. } => self.value(line, Then::Output, source.inside()),
-            Kind::Edge { falling, memory } => self.put(edge(*falling), memory.clone()),
+            Kind::Edge { falling, memory } => self.own(edge(*falling), memory, if *falling { "N" } else { "P" }, PinType::Bit),
             Kind::EdgeBox { falling, operand, memory } => {
-                self.put("A", operand.clone());
+                let word = if *falling { "NEG" } else { "POS" };
+                self.own("A", operand, word, PinType::Contact);
                 self.put("BLD", "100");
-                self.put(edge(*falling), memory.clone().unwrap_or_default());
+                self.own(edge(*falling), memory.as_ref().unwrap_or(&Operand::default()), word, PinType::Bit);
             }
             Kind::Not => self.put("NOT", ""),
             Kind::Midline { operand, negated } => {
-                self.put("=", operand.clone());
-                self.put(AND.bit(*negated), operand.clone());
+                self.own("=", operand, "MID", PinType::Bit);
+                self.own(AND.bit(*negated), operand, "MID", PinType::Bit);
             }
             Kind::Box { .. } | Kind::FlipFlop { .. } | Kind::Timer(_) | Kind::Counter(_) | Kind::Call { .. } => {
                 self.value(std::slice::from_ref(element), Then::Output, source.inside());
@@ -328,15 +379,15 @@ impl Writer<'_> {
         match kind {
             Kind::Box { row, inputs, output } => {
                 let label = self.enable(enabled);
+                let mut loads: Vec<(usize, &Operand)> = inputs.iter().enumerate().collect();
                 if row.reversed {
-                    inputs.iter().rev().for_each(|input| self.put("L", input.clone()));
-                } else {
-                    inputs.iter().for_each(|input| self.put("L", input.clone()));
+                    loads.reverse();
                 }
+                loads.into_iter().for_each(|(index, input)| self.wired("L", input, TypedPin::of_box(row, index)));
                 if !row.instruction.is_empty() {
                     self.put(row.instruction, "");
                 }
-                self.put("T", output.clone());
+                self.wired("T", output, TypedPin::of_box(row, row.inputs.len()));
                 if used {
                     match row.overflows {
                         true => self.put("AN", "OV"),
@@ -353,18 +404,21 @@ impl Writer<'_> {
                 self.end_of_box(label, used);
             }
             Kind::FlipFlop { reset_first, operand, second } => {
-                let (first, other) = if *reset_first { ("R", "S") } else { ("S", "R") };
-                self.put(first, operand.clone());
-                self.slot(second.as_ref(), other, operand, source);
-                self.q(used, operand);
+                let (word, first, other) = if *reset_first { ("RS", "R", "S") } else { ("SR", "S", "R") };
+                let own = Own { operand, pin: TypedPin::operand(word, PinType::Bit) };
+                self.of_box(first, own);
+                self.slot(second.as_ref(), other, own, source);
+                self.q(used, own);
             }
             Kind::Timer(timer) => {
-                self.put("L", timer.value.clone());
-                self.put(timer.kind.instruction(), timer.timer.clone());
-                self.slot(timer.reset.as_ref(), "R", &timer.timer, source);
-                self.output_slot("L", &timer.timer, timer.binary.as_ref());
-                self.output_slot("LC", &timer.timer, timer.bcd.as_ref());
-                self.q(used, &timer.timer);
+                let [time, remaining, decimal] = TypedPin::of_timer(timer.kind);
+                self.wired("L", &timer.value, Some(time));
+                let own = Own { operand: &timer.timer, pin: TypedPin::operand(timer.kind.box_name(), PinType::Timer) };
+                self.of_box(timer.kind.instruction(), own);
+                self.slot(timer.reset.as_ref(), "R", own, source);
+                self.output_slot("L", own, timer.binary.as_ref(), remaining);
+                self.output_slot("LC", own, timer.bcd.as_ref(), decimal);
+                self.q(used, own);
             }
             Kind::Counter(counter) => self.counter(counter, used, source),
             _ => {}
@@ -372,27 +426,28 @@ impl Writer<'_> {
     }
 
     fn counter(&mut self, counter: &Counter, used: bool, source: Source<'_>) {
-        let name = &counter.counter;
-        self.put(if counter.kind == CounterKind::Down { "CD" } else { "CU" }, name.clone());
+        let own = Own { operand: &counter.counter, pin: TypedPin::operand(counter.kind.box_name(), PinType::Counter) };
+        let [preset, count, decimal] = TypedPin::of_counter(counter.kind);
+        self.of_box(counter.kind.power_pin(), own);
         match counter.kind {
-            CounterKind::UpDown => self.slot(counter.down.as_ref(), "CD", name, source),
+            CounterKind::UpDown => self.slot(counter.down.as_ref(), "CD", own, source),
             CounterKind::Up | CounterKind::Down => self.put("BLD", "101"),
         }
         match &counter.set {
             Some((line, value)) => {
                 self.pin(line, source);
-                self.put("L", value.clone());
-                self.put("S", name.clone());
+                self.wired("L", value, Some(preset));
+                self.of_box("S", own);
             }
             None => {
                 self.put("NOP", "0");
                 self.put("NOP", "0");
             }
         }
-        self.slot(counter.reset.as_ref(), "R", name, source);
-        self.output_slot("L", name, counter.value.as_ref());
-        self.output_slot("LC", name, counter.bcd.as_ref());
-        self.q(used, name);
+        self.slot(counter.reset.as_ref(), "R", own, source);
+        self.output_slot("L", own, counter.value.as_ref(), count);
+        self.output_slot("LC", own, counter.bcd.as_ref(), decimal);
+        self.q(used, own);
     }
 
     /// The logic at a pin; the statements after it belong to the box again.
@@ -421,29 +476,29 @@ impl Writer<'_> {
         }
     }
 
-    fn slot(&mut self, logic: Option<&Line>, instruction: &'static str, operand: &Operand, source: Source<'_>) {
+    fn slot(&mut self, logic: Option<&Line>, instruction: &'static str, own: Own<'_>, source: Source<'_>) {
         match logic {
             Some(line) => {
                 self.pin(line, source);
-                self.put(instruction, operand.clone());
+                self.of_box(instruction, own);
             }
             None => self.put("NOP", "0"),
         }
     }
 
-    fn output_slot(&mut self, load: &'static str, operand: &Operand, output: Option<&Operand>) {
+    fn output_slot(&mut self, load: &'static str, own: Own<'_>, output: Option<&Operand>, pin: TypedPin) {
         match output {
             Some(output) => {
-                self.put(load, operand.clone());
-                self.put("T", output.clone());
+                self.of_box(load, own);
+                self.wired("T", output, Some(pin));
             }
             None => self.put("NOP", "0"),
         }
     }
 
-    fn q(&mut self, used: bool, operand: &Operand) {
+    fn q(&mut self, used: bool, own: Own<'_>) {
         match used {
-            true => self.put("A", operand.clone()),
+            true => self.of_box("A", own),
             false => self.put("NOP", "0"),
         }
     }
@@ -470,8 +525,16 @@ impl Checks {
 
 /// A branch of several elements needs no bracket of its own. Those up to the last one that holds an edge have one, the first one excepted;
 /// so has one with NOT, a midline output or a box, which would act on the branches before it as well.
-pub(super) fn may_stand_bare(branch: &Branch, index: usize, last_edge: Option<usize>) -> bool {
+fn may_stand_bare(branch: &Branch, index: usize, last_edge: Option<usize>) -> bool {
     index == 0 || (last_edge.is_none_or(|last| index > last) && !branch.line.iter().any(|one| one.kind.acts_on_line()))
+}
+
+/// A branch keeps the flag of its bracket only where the bracket would otherwise be left out.
+pub fn keep_needed_brackets(branches: &mut [Branch]) {
+    let last_edge = branches.iter().rposition(|branch| branch.line.iter().any(|one| one.kind.holds_edge()));
+    for (index, branch) in branches.iter_mut().enumerate() {
+        branch.bracketed &= branch.line.len() > 1 && may_stand_bare(branch, index, last_edge);
+    }
 }
 
 fn edge(falling: bool) -> &'static str {
@@ -495,11 +558,16 @@ fn first_place(rung: &Rung) -> Option<Place> {
 
 /// The tapped line is read by an element of its own instead of coming from the left.
 pub fn reads_tap(line: &[Element]) -> bool {
-    line.iter().any(|element| match &element.kind {
-        Kind::Tap { .. } => true,
-        Kind::Parallel { branches, .. } => branches.iter().any(|branch| reads_tap(&branch.line)),
-        Kind::Xor { inputs, .. } => inputs.iter().any(|input| reads_tap(&input.line)),
-        Kind::Group { line, .. } => reads_tap(line),
-        _ => false,
+    tap_in(line).is_some()
+}
+
+/// The first element of a line that reads the tapped one.
+pub fn tap_in(line: &[Element]) -> Option<&Element> {
+    line.iter().find_map(|element| match &element.kind {
+        Kind::Tap { .. } => Some(element),
+        Kind::Parallel { branches, .. } => branches.iter().find_map(|branch| tap_in(&branch.line)),
+        Kind::Xor { inputs, .. } => inputs.iter().find_map(|input| tap_in(&input.line)),
+        Kind::Group { line, .. } => tap_in(line),
+        _ => None,
     })
 }

@@ -8,6 +8,7 @@ use sieben_model::literal::Value;
 use sieben_model::source::Span;
 
 use crate::network::flavour::Drawing;
+use crate::network::pin_types::TypedPin;
 
 /// A text with its place.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -225,6 +226,8 @@ pub struct Network {
     pub comment: String,
     /// It is written as a diagram.
     pub drawing: Option<Drawing>,
+    /// Of a diagram the pins that the operands of its statements are wired to, from its first statement on.
+    pub pins: Vec<Option<TypedPin>>,
     /// The place of the keyword.
     pub span: Span,
 }

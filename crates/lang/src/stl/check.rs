@@ -3,6 +3,7 @@
 mod accumulators;
 mod flow;
 mod logic;
+mod pins;
 mod temporaries;
 mod traps;
 
@@ -24,9 +25,12 @@ use super::diagrams::first_scratch_bit;
 use super::extension;
 use super::instructions::Instruction;
 use super::lower::{ResolvedBlock, Statement};
-use super::operands::{BlockOperand, Location, NumberOperand, Operand, OperandClass};
+use super::operands::{BlockOperand, Location, NumberOperand, Operand, OperandClass, StatusScan};
 use super::parser::DIAGNOSTICS_MAX;
 use super::resolve::{Known, Resolver};
+use crate::network::write::scratch_bit;
+use accumulators::Operands;
+use pins::Wired;
 pub use temporaries::TemporaryReads;
 
 /// Brackets that may be open at once.
@@ -52,7 +56,7 @@ pub(crate) fn block(
     let labels = labels(source, &mut diagnostics);
     let mut resolver = Resolver::new(known, id, interface, &labels.targets);
     let mut statements = Vec::with_capacity(source.statements.len() + 1);
-    let mut types = Vec::with_capacity(source.statements.len() + 1);
+    let mut operands = Operands { types: Vec::new(), wired: Vec::new() };
     let mut networks = source.networks.iter().peekable();
     let mut network = 0u32;
     for (index, statement) in source.statements.iter().enumerate() {
@@ -70,8 +74,22 @@ pub(crate) fn block(
             diagnostics.append(&mut resolver.diagnostics);
             return Checked { block: ResolvedBlock { id, interface: interface.clone(), statements }, diagnostics, whole: false };
         }
-        let chosen = choose(known, &mut resolver, statement, mnemonics);
+        let wired = Wired::of(source, network, index);
+        let chosen = choose(known, &mut resolver, statement, wired, mnemonics);
+        if let (Some(wired), Some(said)) = (wired, resolver.diagnostics.get_mut(before..)) {
+            said.iter_mut().filter(|one| one.problem == Problem::P4002).for_each(|one| one.message = wired.about(&one.message));
+        }
+        // An element may have its operand in several statements.
+        if let [before @ .., last] = resolver.diagnostics.as_slice()
+            && wired.is_some()
+            && before.iter().any(|one| one.span == last.span && one.problem == last.problem && one.message == last.message)
+        {
+            resolver.diagnostics.pop();
+        }
         whole &= chosen.is_some();
+        if let (ast::Operand::Call(call), Some((_, Operand::Call(resolved)))) = (&statement.operand, &chosen) {
+            resolver.diagnostics.extend(pins::lost(source, network, call, resolved));
+        }
         // What the parser could not read is reported; guesses about the rest of that statement would only confuse.
         let next = source.statements.get(index + 1).map_or(source.span.end, |next| next.span.start.max(statement.span.start));
         if resolver.diagnostics.len() > before && reported(Span { end: next, ..statement.span }) {
@@ -83,13 +101,15 @@ pub(crate) fn block(
         let origin = origin(source, index, network, statements.last());
         let stated = origin.element().map(|_| stated(known, id, interface, statement));
         statements.push(Statement { instruction, operand, origin, stated });
-        types.push(resolver.declared.take());
+        operands.types.push(resolver.declared.take());
+        operands.wired.push(wired);
     }
     // A label at the end of the block stands before its end.
     if let Some(span) = labels.at_end {
         let origin = Origin::Text { span, network: network.max(1) };
         statements.push(Statement { instruction: Instruction::BlockEnd, operand: Operand::None, origin, stated: None });
-        types.push(None);
+        operands.types.push(None);
+        operands.wired.push(None);
     }
     diagnostics.append(&mut resolver.diagnostics);
     structure(&statements, &labels, &mut diagnostics);
@@ -104,7 +124,7 @@ pub(crate) fn block(
     // What follows paths through the block would guess where a statement is missing.
     if whole {
         temporaries::check(&block, known.temporaries, &mut diagnostics);
-        accumulators::check(&block.statements, &types, known.cpu.accumulators == 4, &mut diagnostics);
+        accumulators::check(&block.statements, &operands, known.cpu.accumulators == 4, &mut diagnostics);
         logic::check(&block, &mut diagnostics);
         traps::check(&block, known.extended, &mut diagnostics);
     }
@@ -128,10 +148,7 @@ fn stated(known: &Known<'_>, id: BlockId, interface: &Interface, statement: &ast
     let mnemonic = &statement.mnemonic.text;
     let operand = match &statement.operand {
         ast::Operand::None => String::new(),
-        ast::Operand::Scratch { bit } => {
-            let bit = u64::from(first_scratch_bit(interface, id.kind)) + u64::from(*bit);
-            format!("L {}.{}", bit / 8, bit % 8)
-        }
+        ast::Operand::Scratch { bit } => scratch_bit(first_scratch_bit(interface, id.kind).saturating_add(*bit)).text,
         // Labels that boxes need are called otherwise inside, so that nothing that is written can name them.
         ast::Operand::Name { word, .. } => word.text.replacen('·', "_", 1),
         ast::Operand::Constant(ast::Constant { value: Some(Value::Int(number)), span, .. }) if *span == statement.span => {
@@ -198,6 +215,7 @@ fn choose(
     known: &Known<'_>,
     resolver: &mut Resolver<'_>,
     statement: &ast::Statement,
+    wired: Option<Wired>,
     mnemonics: Mnemonics,
 ) -> Option<(Instruction, Operand)> {
     let word = statement.mnemonic.text.as_str();
@@ -228,6 +246,10 @@ fn choose(
         },
         _ => resolver.operand(&statement.operand, place)?,
     };
+    if let Some(diagnostic) = wired.and_then(|wired| wired.misfit(&operand, known.sources.slice(place).trim(), place)) {
+        resolver.diagnostics.push(diagnostic);
+        return None;
+    }
     if let Some(&row) = rows.iter().find(|row| row.operand().accepts(&operand)) {
         return Some((row, operand));
     }
@@ -243,6 +265,10 @@ fn choose(
         classes.retain(|&words| words != OperandClass::None.describe());
     }
     let takes = classes.join("; or ");
+    if let (Some(wired), false) = (wired, operand == Operand::None) {
+        resolver.diagnostics.push(wired.refused(&takes, known.sources.slice(place).trim(), place));
+        return None;
+    }
     let message = match &operand {
         Operand::None => format!("`{word}` needs an operand: {takes}"),
         _ => format!("`{word}` does not take `{}`; it takes {takes}", known.sources.slice(place).trim()),
@@ -334,7 +360,9 @@ fn structure(statements: &[Statement], labels: &Labels, diagnostics: &mut Vec<Di
             Instruction::BlockEnd | Instruction::BlockEndUnconditional | Instruction::BlockEndConditional if !brackets.is_empty() => {
                 report(Problem::P2213, statement.span(), "the block ends inside a bracket".to_owned());
             }
-            Instruction::Call | Instruction::CallUnconditional | Instruction::CallConditional if !brackets.is_empty() => {
+            Instruction::Call | Instruction::CallUnconditional | Instruction::CallConditional
+                if !brackets.is_empty() && !is_in_chain(&statements[index..]) =>
+            {
                 report(Problem::P2214, statement.span(), "a block is called inside a bracket".to_owned());
             }
             _ => {}
@@ -368,6 +396,14 @@ fn structure(statements: &[Statement], labels: &Labels, diagnostics: &mut Vec<Di
             report(Problem::P2206, statement.span(), message.to_owned());
         }
     }
+}
+
+/// A call in a chain of boxes, where the next box hangs on its ENO: so LAD and FBD write it, `A( …; CALL FC 1; A BR; )`.
+fn is_in_chain(from_call: &[Statement]) -> bool {
+    let [call, rest @ ..] = from_call else { return false };
+    let is_enable_output =
+        |one: &Statement| one.instruction == Instruction::And && one.operand == Operand::Status(StatusScan::BinaryResult);
+    call.origin.element().is_some() || (call.instruction == Instruction::Call && rest.first().is_some_and(is_enable_output))
 }
 
 /// Which statements are entries of a jump list.

@@ -5,6 +5,7 @@ use std::collections::{BTreeSet, HashMap, HashSet};
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockKind;
 use sieben_model::interface::{Interface, Section};
+use sieben_model::literal::Value;
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::source::Span;
 use sieben_model::types::DataType;
@@ -13,14 +14,14 @@ use super::ast;
 use super::lower::ResolvedBlock;
 use super::mnemonics::translate_status;
 use super::operands::{Access, Call, Location, NumberOperand, Operand};
+use crate::declarations::interface::START_INFORMATION_BYTES;
 use crate::network::flavour::Drawing;
 use crate::network::model::Place;
 use crate::network::operand::{Operand as Written, STATUS_BITS};
-use crate::network::read::{Answer, Class, Mode, Surroundings, carries, draw, reads_before_writing};
+use crate::network::pin_types::{Class, Constant};
+use crate::network::read::{Answer, Mode, Surroundings, carries, draw, reads_before_writing};
 use crate::network::statement::{Parameter, Passing, Statement};
-
-/// Bytes of start information at the beginning of the local data of an organization block.
-const START_INFORMATION_BYTES: u32 = 20;
+use crate::network::write::{scratch_bit, scratch_number};
 
 /// A network of a block.
 #[derive(Clone, Debug)]
@@ -68,6 +69,8 @@ pub struct StatementComment {
     pub before: Vec<String>,
     /// The comment on its own line.
     pub after: Option<String>,
+    /// The pin that they belong to, if it is one of a box of a diagram.
+    pub pin: Option<String>,
 }
 
 /// The networks of a block. `text` is the whole source, `block` what was read of it, `resolved` the same block after its check.
@@ -100,7 +103,7 @@ pub(crate) fn first_scratch_bit(interface: &Interface, kind: BlockKind) -> u32 {
         .iter()
         .filter(|variable| variable.section == Section::Temp)
         .map(|variable| variable.offset.saturating_add(u32::try_from(variable.data_type.bits_used()).unwrap_or(u32::MAX)));
-    ends.fold(start, u32::max).next_multiple_of(8)
+    ends.fold(start, u32::max).checked_next_multiple_of(8).unwrap_or(u32::MAX)
 }
 
 struct Reader<'a> {
@@ -278,10 +281,7 @@ impl<'a> Reader<'a> {
     fn operand(&self, operand: &ast::Operand, span: Span) -> String {
         match operand {
             ast::Operand::None => String::new(),
-            ast::Operand::Scratch { bit } => {
-                let bit = u64::from(self.scratch) + u64::from(*bit);
-                format!("L {}.{}", bit / 8, bit % 8)
-            }
+            ast::Operand::Scratch { bit } => scratch_bit(self.scratch.saturating_add(*bit)).text,
             ast::Operand::Absolute { letters, number, bit } => {
                 format!("{letters} {number}{}", bit.map_or_else(String::new, |bit| format!(".{bit}")))
             }
@@ -296,11 +296,7 @@ impl<'a> Reader<'a> {
                 if local { format!("#{text}") } else { status }
             }
             // Numbers of NOP and BLD that a diagram makes are written nowhere.
-            ast::Operand::Constant(ast::Constant { value: Some(sieben_model::literal::Value::Int(number)), .. })
-                if self.is_made_up(span) =>
-            {
-                number.to_string()
-            }
+            ast::Operand::Constant(ast::Constant { value: Some(Value::Int(number)), .. }) if self.is_made_up(span) => number.to_string(),
             _ => Written::read(&self.slice(span), 0).spaced(),
         }
     }
@@ -336,7 +332,7 @@ impl<'a> Reader<'a> {
             // The lines before the first statement are the comment of the network.
             let before: Vec<String> = if statement == 0 { Vec::new() } else { lines.filter_map(comment_of).collect() };
             if !before.is_empty() {
-                out.push(StatementComment { statement, before, after: None });
+                out.push(StatementComment { statement, before, ..StatementComment::default() });
             }
             end = span.end;
         }
@@ -357,13 +353,32 @@ fn comment_of(line: &str) -> Option<String> {
 }
 
 /// What an operand is by its meaning.
-fn class(operand: &Operand) -> Class {
+pub(crate) fn class(operand: &Operand) -> Class {
     match operand {
         Operand::Timer(_) => Class::Timer,
         Operand::Counter(_) => Class::Counter,
         Operand::Memory(Access { width, .. }) => bits(*width),
+        Operand::Constant(value) => constant(value).map_or(Class::Unknown, Class::Constant),
         _ => Class::Unknown,
     }
+}
+
+/// What a constant is that is loaded.
+fn constant(value: &Value) -> Option<Constant> {
+    Some(match value {
+        value if value.accumulator() == Some(0) => Constant::Zero,
+        Value::Int(number) if *number < 0 => Constant::NegativeInt,
+        Value::Int(_) => Constant::Int,
+        Value::DoubleInt(_) | Value::Time(_) | Value::TimeOfDay(_) => Constant::DoubleInt,
+        Value::Real(_) => Constant::Real,
+        Value::S5Time(_) => Constant::S5Time,
+        Value::Counter(_) => Constant::Count,
+        Value::Byte(_) => Constant::Bits(8),
+        Value::Word(_) | Value::Date(_) => Constant::Bits(16),
+        Value::DoubleWord(_) | Value::Pointer(_) => Constant::Bits(32),
+        Value::Characters(text) => Constant::Bits(if text.len() > 2 { 32 } else { 16 }),
+        Value::Bool(_) | Value::DateAndTime(_) | Value::DataPointer { .. } | Value::Any(_) | Value::Image(_) => return None,
+    })
 }
 
 /// What an actual parameter is by the type of its parameter.
@@ -422,10 +437,7 @@ struct Around<'r, 'a> {
 
 impl Surroundings for Around<'_, '_> {
     fn scratch(&self, operand: &str) -> Option<u32> {
-        let (byte, bit) = operand.strip_prefix('L')?.trim_start().split_once('.')?;
-        let (byte, bit) = (byte.parse::<u32>().ok()?, bit.parse::<u32>().ok()?);
-        let position = byte.checked_mul(8)?.checked_add(bit)?;
-        (bit < 8 && position >= self.reader.scratch).then_some(position)
+        scratch_number(operand).filter(|position| *position >= self.reader.scratch)
     }
 
     fn is_temporary(&self, operand: &str) -> bool {

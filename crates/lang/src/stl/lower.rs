@@ -16,6 +16,7 @@ use super::extension::{Compared, Extension};
 use super::instructions::Instruction;
 use super::operands::{Access, AddressRegister, Location, NumberOperand, Operand};
 use super::size::code_bytes;
+use crate::declarations::interface::START_INFORMATION_BYTES;
 use crate::stl::why::Why;
 
 /// One statement with all names resolved.
@@ -60,7 +61,11 @@ pub fn lower_counted(block: &ResolvedBlock, cpu: &CpuType) -> CodeBlock {
 }
 
 fn lowered(block: &ResolvedBlock, cpu: &CpuType, counted: bool) -> CodeBlock {
-    let declared = block.interface.local_size.max(if block.id.kind == sieben_model::block::BlockKind::OrganizationBlock { 20 } else { 0 });
+    let declared = block.interface.local_size.max(if block.id.kind == sieben_model::block::BlockKind::OrganizationBlock {
+        START_INFORMATION_BYTES
+    } else {
+        0
+    });
     let addressed = block.statements.iter().map(|statement| local_end(&statement.operand)).max().unwrap_or(0);
     let mut lowering = Lowering {
         b: Builder::default(),

@@ -101,6 +101,18 @@ pub fn translate_instruction(word: &str, from: Mnemonics) -> Option<&'static str
     Instruction::candidates(word, from).next().map(|instruction| instruction.mnemonic(from.other()))
 }
 
+/// An international instruction word in a mnemonic language.
+pub fn instruction_in(word: &'static str, mnemonics: Mnemonics) -> &'static str {
+    let translated = || translate_instruction(word, Mnemonics::English).unwrap_or(word);
+    if mnemonics == Mnemonics::English { word } else { translated() }
+}
+
+/// An international status word in a mnemonic language; every other word stays as it is.
+pub fn status_in(word: &str, mnemonics: Mnemonics) -> &str {
+    let translated = || translate_status(word, Mnemonics::English).unwrap_or(word);
+    if mnemonics == Mnemonics::English { word } else { translated() }
+}
+
 /// The letters of an address in the other language; `None` if they are the same or unknown.
 pub fn translate_letters(letters: &str, from: Mnemonics) -> Option<&'static str> {
     pick(&ADDRESS_LETTERS, letters, from)

@@ -9,6 +9,7 @@ pub(crate) mod declare;
 pub mod diagrams;
 pub mod extension;
 pub mod format;
+pub mod heads;
 pub mod instructions;
 mod lexer;
 mod look_alikes;

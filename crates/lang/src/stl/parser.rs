@@ -34,6 +34,7 @@ use super::mnemonics::{Drawn, judge};
 use super::syntax::{SyntaxKind, SyntaxNode};
 use crate::declarations::values::shortened_s5time;
 use crate::network::flavour::Drawing;
+use crate::network::memories::Memory;
 use crate::scan::{is_blank, straight_quote};
 
 /// More diagnostics than this help nobody; one more says that there are others.
@@ -98,6 +99,7 @@ pub fn parse_as(file: FileId, text: &str, mnemonics: Option<Mnemonics>, drawing:
         headed: None,
         drawing,
         generated_labels: 0,
+        memories: HashMap::new(),
     };
     parser.advance(0);
     if let Some((start, end)) = ambiguous {
@@ -202,6 +204,8 @@ struct Parser<'t> {
     drawing: Option<Drawing>,
     /// Labels that the boxes of diagrams needed in the current block.
     generated_labels: u32,
+    /// The counters and edge memories of the diagrams of the current block: where each was used first, in which network.
+    memories: HashMap<(Memory, String), (Span, usize)>,
 }
 
 impl<'t> Parser<'t> {

@@ -47,6 +47,11 @@ const LINES: &[(&str, &str, &str)] = &[
         "A I 0.0; CU C 1; BLD 101; A I 0.1; L 3; S C 1; NOP 0; NOP 0; NOP 0; NOP 0",
     ),
     ("|- MOVE(P#M 0.0 BYTE 4 => MD 0)", "|- MOVE(P#M 0.0 BYTE 4 => MD 0)", "L P#M 0.0 BYTE 4; T MD 0; NOP 0"),
+    (
+        "((I 0.0 I 0.1) | (I 0.2 I 0.3) | I 0.4 I 0.5) -> = Q 4.0, SAVE",
+        "or((and(I 0.0, I 0.1)), (and(I 0.2, I 0.3)), and(I 0.4, I 0.5)) -> = Q 4.0, SAVE",
+        "O(; A I 0.0; A I 0.1; ); O(; A I 0.2; A I 0.3; ); O; A I 0.4; A I 0.5; = Q 4.0; SAVE",
+    ),
     ("LABEL m1: |- JMP m2", "LABEL m1: |- JMP m2", "m1: JU m2"),
 ];
 
@@ -64,7 +69,14 @@ fn a_line_is_read_and_written_in_both_drawings_and_stands_for_statements() {
 
 const IEC: &[&str] = &[
     "a TON[t1](IN := ., PT := T#5s, Q => .) -> = x",
-    "|- ADD(a, b, 5, => x)",
+    "|- ADD(a, b, 5 => x)",
+    "|- DIV(x, y => z, ENO => e)",
+    "|- DIV(IN1 := x, IN2 := y, OUT => z, ENO => e)",
+    "|- MOVE(TRUE => p)",
+    "|- MOVE(a, => p)",
+    "[BR] /[OV] -> = x",
+    "|- MOVE(/a => p)",
+    "|- MOVE(a.b => p)",
     "a /b POS(c) NEG(d) -> / x, P y, N z",
     "|- -> = lamp",
     "|- CTU[c](CU := a, R := /b, PV := 5, Q => q, CV => n)",
@@ -91,9 +103,26 @@ const WRONG: &[(&str, usize, &str)] = &[
     ("I 0.0 SR(M 0.0)", 6, "`SR` needs its operand in square brackets"),
     ("I 0.0 S_ODT[T 5](R := I 0.1) -> = Q 4.0", 6, "`TV`, the time, of `S_ODT` is not wired"),
     ("I 0.0 S_ODT[T 5](TV := S5T#2S, X := I 0.1)", 31, "a pin of `S_ODT` is expected here"),
-    ("I 0.0 (I 0.1 | I 0.2 -> = Q 4.0", 24, "an operand is missing here"),
+    ("I 0.0 (I 0.1 | I 0.2 -> = Q 4.0", 24, "an output stands inside of a bracket"),
     ("I 0.0 ( -> = Q 4.0", 8, "an operand is missing here"),
-    ("I 0.0 -> = Q 4.0 )", 17, "the network ends before this"),
+    ("I 0.0 -> = Q 4.0 )", 17, "`)` closes nothing"),
+    ("I 0.0) -> = Q 4.0", 5, "`)` closes nothing"),
+    ("(I 0.0 | ) -> = Q 4.0", 9, "an element is expected before `)`"),
+    ("(I 0.0 | I 0.1] -> = Q 4.0", 14, "`(` is closed by `]`"),
+    ("(I 0.0 | ] -> = Q 4.0", 9, "`(` is closed by `]`"),
+    ("I 0.0 -> = Q 4.0 I 0.1", 17, "the network ends before this"),
+    ("I 0.0 -> Q 4.0", 9, "the sign of the output is missing"),
+    ("I 0.0 { -> Q 4.0 ; -> = Q 4.1 }", 11, "the sign of the output is missing"),
+    ("I 0.0 = Q 4.0", 6, "`->` is missing before this output"),
+    ("I 0.0 S Q 4.0", 6, "`->` is missing before this output"),
+    ("I 0.0 SAVE", 6, "`->` is missing before this output"),
+    ("I 0.0 | I 0.1 -> = Q 4.0", 6, "the branches that `|` divides stand in no bracket"),
+    ("I 0.0 & I 0.1 -> = Q 4.0", 6, "`&` is no sign of this form"),
+    ("I 0.0&I 0.1 -> = Q 4.0", 5, "`&` is no sign of this form"),
+    ("I 0.0 -> = Q 4.0;", 16, "`;` divides the branches of a T-branch"),
+    ("I 0.0 { -> = Q 4.0 ; }", 21, "this branch of the T-branch is empty"),
+    ("I 0.0 { ; -> = Q 4.0 }", 8, "this branch of the T-branch is empty"),
+    ("(I 0.0 | ", 9, "the line ends inside of `(`"),
     ("P(M 0.0) -> = Q 4.0", 0, "this acts on the line to its left, and there is none"),
     (". I 0.0 -> = Q 4.0", 0, "`.` stands for the line that a T-branch taps"),
     ("I 0.0 -> JMP m1, = Q 4.0", 9, "nothing may follow this coil"),
@@ -110,6 +139,20 @@ fn what_is_no_diagram_is_said_with_its_place() {
         let Err(wrong) = parse(line, 100, Flavour::S7) else { panic!("{line} is read") };
         assert_eq!(wrong.start, at + 100, "{line}: {wrong:?}");
         assert!(wrong.message.starts_with(message), "{line}: {wrong:?}");
+        assert!(!wrong.message.contains("; "), "what to do is help: {wrong:?}");
+    }
+}
+
+#[test]
+fn a_sign_that_is_missing_is_said_in_iec_too() {
+    for (line, at, message) in [
+        ("a -> c", 5, "the sign of the output is missing"),
+        ("a S c", 2, "`->` is missing before this output"),
+        ("a & b -> = c", 2, "`&` is no sign of this form"),
+    ] {
+        let Err(wrong) = parse(line, 0, Flavour::Iec) else { panic!("{line} is read") };
+        assert_eq!(wrong.start, at, "{line}: {wrong:?}");
+        assert!(wrong.message.starts_with(message) && wrong.help.is_some(), "{line}: {wrong:?}");
     }
 }
 

@@ -10,13 +10,14 @@ use sieben_lang::network::model::{
     Actual, Branch, Content, Counter, Element, End, Kind, Line, Network, OutputKind, Pin, Place, Rung, Timer, XorInput,
 };
 use sieben_lang::network::operand::Operand;
+use sieben_lang::network::pin_types::PinType;
 use sieben_lang::network::read::{Answer, Mode, draw};
 use sieben_lang::network::rules;
 use sieben_lang::network::statement::Statement;
 use sieben_lang::network::to_lad::to_lad;
-use sieben_lang::network::write::write;
+use sieben_lang::network::write::{keep_needed_brackets, write};
 
-use crate::statements::{Plain, all_shown};
+use crate::statements::{PLAIN, all_shown};
 
 /// Random numbers from one seed.
 struct Random(u64);
@@ -104,7 +105,7 @@ impl Maker {
             1 if ends_with_box => End::Open,
             _ => self.outputs(),
         };
-        Rung { line, end }
+        Rung::new(line, end)
     }
 
     fn outputs(&mut self) -> End {
@@ -161,16 +162,17 @@ impl Maker {
         let circle = fbd && self.random.one_in(4);
         let kind = match self.random.below(14) {
             0 => Kind::Contact { operand: self.random.pick(&["OV", "==0", "BR", "<>0", "UO"]).into(), negated: self.random.one_in(2) },
-            1 | 2 => Kind::Compare {
-                operation: self.random.pick(&COMPARISONS),
-                left: self.random.of_width(16),
-                right: "5".into(),
-                negated: circle,
-            },
+            1 | 2 => {
+                let operation = self.random.pick(&COMPARISONS);
+                let left = self.random.of_width(PinType::of_comparison(operation).bits().unwrap_or(16));
+                Kind::Compare { operation, left, right: "5".into(), negated: circle }
+            }
             3 => Kind::EdgeBox { falling: self.random.one_in(2), operand: self.random.bit(), memory: Some(self.random.memory()) },
             4 | 5 if depth < 3 => {
                 let count = 2 + self.random.below(2);
-                let branches = (0..count).map(|_| Branch { line: self.line(At::Inside, depth + 1), bracketed: false }).collect();
+                let branch = |maker: &mut Self| Branch { line: maker.line(At::Inside, depth + 1), bracketed: maker.random.one_in(4) };
+                let mut branches: Vec<Branch> = (0..count).map(|_| branch(self)).collect();
+                keep_needed_brackets(&mut branches);
                 Kind::Parallel { branches, negated: circle }
             }
             6 if fbd && depth < 3 => {
@@ -232,7 +234,7 @@ impl Maker {
             return Kind::Call { block: "FB 3".into(), instance: Some("DB 6".into()), pins }.at(NOWHERE);
         }
         let row = &BOXES[self.random.below(BOXES.len())];
-        let width = |index: usize| row.widths.get(index).copied().filter(|width| *width != 0).unwrap_or(16);
+        let width = |index: usize| row.types.get(index).and_then(|pin| pin.bits()).unwrap_or(16);
         let inputs = (0..row.inputs.len()).map(|index| self.random.of_width(width(index))).collect();
         let output = self.random.of_width(width(row.inputs.len()));
         Kind::Box { row, inputs, output }.at(NOWHERE)
@@ -264,7 +266,21 @@ proptest! {
         for drawing in [Drawing::Lad, Drawing::Fbd] {
             let Some(network) = made(seed, drawing) else { continue };
             let statements = write(&network, 48, &mut 0).statements;
-            match draw(&statements, &Plain, 48, Mode::Strict) {
+            // Without its last statements, or one in the middle, it is another network, or none.
+            let mut random = Random(seed | 1);
+            for _ in 0..2 {
+                let mut cut = statements.clone();
+                match random.one_in(2) {
+                    true => cut.truncate(random.below(statements.len())),
+                    false => drop(cut.remove(random.below(statements.len()))),
+                }
+                for mode in [Mode::Strict, Mode::Rewriting, Mode::RewritingConstants] {
+                    if let Answer::Equivalent(reading, _) = draw(&cut, &PLAIN, 48, mode) {
+                        prop_assert!(!reading.rewrites.is_empty(), "{}", all_shown(&cut));
+                    }
+                }
+            }
+            match draw(&statements, &PLAIN, 48, Mode::Strict) {
                 Answer::Exact(again) => prop_assert_eq!(&again, &network, "{}\n{}", print(&network, drawing), all_shown(&statements)),
                 other => prop_assert!(false, "{}\n{}\n{:?}", print(&network, drawing), all_shown(&statements), other),
             }
@@ -281,9 +297,12 @@ proptest! {
         let mut random = Random(seed | 1);
         let statements = random_statements(&mut random);
         for mode in [Mode::Strict, Mode::Rewriting, Mode::RewritingConstants] {
-            let networks = match draw(&statements, &Plain, 800, mode) {
+            let networks = match draw(&statements, &PLAIN, 800, mode) {
                 Answer::Exact(network) => vec![network],
-                Answer::Equivalent(reading, _) => reading.networks,
+                Answer::Equivalent(reading, _) => {
+                    prop_assert!(!reading.rewrites.is_empty(), "{}", all_shown(&statements));
+                    reading.networks
+                }
                 Answer::No(_) => continue,
             };
             let written: Vec<Statement> = networks.iter().flat_map(|network| write(network, 800, &mut 0).statements).collect();
@@ -436,7 +455,7 @@ fn random_statements_are_drawn_in_every_way() {
     let mut seen: HashMap<String, usize> = HashMap::new();
     for _ in 0..3_000 {
         let statements = random_statements(&mut random);
-        match draw(&statements, &Plain, 800, Mode::RewritingConstants) {
+        match draw(&statements, &PLAIN, 800, Mode::RewritingConstants) {
             Answer::Exact(_) => *seen.entry("exact".to_owned()).or_default() += 1,
             Answer::Equivalent(reading, _) => {
                 for rewrite in reading.rewrites {
@@ -466,7 +485,7 @@ fn long_networks_are_read_and_written_in_linear_time() {
     for form in forms {
         let text = form(20_000);
         let statements = crate::statements::statements(&text);
-        if let Answer::Exact(network) = draw(&statements, &Plain, 160, Mode::Rewriting) {
+        if let Answer::Exact(network) = draw(&statements, &PLAIN, 160, Mode::Rewriting) {
             let line = print(&network, Drawing::Lad);
             // More elements than a network may have are read all the same, to be refused for that.
             assert!(parse(&line, 0, Flavour::S7).is_ok_and(|again| again == network) || line.len() > 50_000);
@@ -474,7 +493,7 @@ fn long_networks_are_read_and_written_in_linear_time() {
     }
     let taps: String = (0..5_000).map(|bit| format!("= L{}.{}; A L{}.{}; ", bit / 8, bit % 8, bit / 8, bit % 8)).collect();
     let nested = crate::statements::statements(&format!("A I0.0; {taps}= Q4.0"));
-    assert!(matches!(draw(&nested, &Plain, 0, Mode::Rewriting), Answer::No(_)), "T-branches do not nest without end");
+    assert!(matches!(draw(&nested, &PLAIN, 0, Mode::Rewriting), Answer::No(_)), "T-branches do not nest without end");
     let brackets = crate::statements::statements(&("A(; ".repeat(10_000) + "A I0.0; = Q4.0"));
-    assert!(matches!(draw(&brackets, &Plain, 0, Mode::Rewriting), Answer::No(refusal) if refusal.statement == 7));
+    assert!(matches!(draw(&brackets, &PLAIN, 0, Mode::Rewriting), Answer::No(refusal) if refusal.statement == 7));
 }

@@ -3,12 +3,13 @@
 use sieben_lang::network::flavour::Drawing;
 use sieben_lang::network::form_b::print;
 use sieben_lang::network::model::{Content, Element, End, Kind, Rung};
-use sieben_lang::network::read::{Answer, Class, Mode, Surroundings, draw};
+use sieben_lang::network::read::notation::ByNotation;
+use sieben_lang::network::read::{Answer, Mode, draw};
 use sieben_lang::network::reasons::{Reason, Rewrite};
 use sieben_lang::network::rules::ELEMENTS_MAX;
 use sieben_lang::network::to_lad::to_lad;
 
-use crate::statements::{Plain, statements};
+use crate::statements::{PLAIN, statements};
 
 /// Statements; what they are without a rewrite, if that is a refusal; the codes; the diagrams.
 const REWRITES: &[(&str, &str, &str, &str)] = &[
@@ -51,7 +52,7 @@ fn refused(refusal: &sieben_lang::network::reasons::Refusal) -> String {
 #[test]
 fn each_rewrite_makes_a_diagram_and_says_what_stood_in_the_way() {
     for (input, reason, codes, diagrams) in REWRITES {
-        let Answer::Equivalent(reading, refusal) = draw(&statements(input), &Plain, 160, Mode::RewritingConstants) else {
+        let Answer::Equivalent(reading, refusal) = draw(&statements(input), &PLAIN, 160, Mode::RewritingConstants) else {
             panic!("{input}")
         };
         let networks: Vec<String> = reading.networks.iter().map(|network| print(network, Drawing::Lad)).collect();
@@ -64,7 +65,7 @@ fn each_rewrite_makes_a_diagram_and_says_what_stood_in_the_way() {
         ("AN(; A I0.0; A I0.1; ); = Q4.0", Rewrite::NegatedBracket, "I0.0 I0.1 ! -> = Q4.0"),
         ("X I0.0; XN I0.1; = Q4.0", Rewrite::ExclusiveOr, "(I0.0 I0.1 | /I0.0 /I0.1) -> = Q4.0"),
     ] {
-        let Answer::Exact(network) = draw(&statements(input), &Plain, 160, Mode::Strict) else { panic!("{input}") };
+        let Answer::Exact(network) = draw(&statements(input), &PLAIN, 160, Mode::Strict) else { panic!("{input}") };
         let (lad, rewrites) = to_lad(&network).unwrap_or_else(|refusal| panic!("{input}: {refusal:?}"));
         assert_eq!((print(&lad, Drawing::Lad).as_str(), rewrites.into_iter().collect::<Vec<_>>()), (line, vec![code]));
     }
@@ -73,6 +74,12 @@ fn each_rewrite_makes_a_diagram_and_says_what_stood_in_the_way() {
 /// Statements, and why they stay STL even with rewrites.
 const REFUSALS: &[(&str, &str)] = &[
     ("A I0.0; A I0.1", "R-LOGIC 2"),
+    // The ENO or Q of the last box is checked, and nothing is made of it: the end of the box cannot be open then.
+    ("A I0.0; JNB _001; L MW0; L MW2; +I; T MW4; AN OV; SAVE; CLR; _001: A BR", "R-LOGIC 10"),
+    ("L MW0; T MW2; SET; SAVE; CLR; A BR", "R-LOGIC 6"),
+    ("CALL FC1; A BR", "R-LOGIC 2"),
+    ("A I0.0; L S5T#5S; SD T1; NOP 0; NOP 0; NOP 0; A T1", "R-LOGIC 7"),
+    ("A I0.0; S M0.0; A I0.1; R M0.0; A M0.0", "R-LOGIC 5"),
     ("L MW0; JZ m1", "R-JUMP 2"),
     ("A I0.0; JC m1; A I0.1; JNB m1; L 1; T MW0; m1: NOP 0", "R-JUMP 2"),
     ("A I0.0; m1: A I0.1; = Q4.0", "R-LABEL 2"),
@@ -103,7 +110,7 @@ const REFUSALS: &[(&str, &str)] = &[
 #[test]
 fn each_reason_names_the_statement() {
     for (input, expected) in REFUSALS {
-        match draw(&statements(input), &Plain, 160, Mode::RewritingConstants) {
+        match draw(&statements(input), &PLAIN, 160, Mode::RewritingConstants) {
             Answer::No(refusal) => assert_eq!(&refused(&refusal), expected, "{input}"),
             other => panic!("{input}: {other:?}"),
         }
@@ -111,7 +118,7 @@ fn each_reason_names_the_statement() {
     let wide = format!("{}; = Q4.0", vec!["A I0.0"; ELEMENTS_MAX + 1].join("; "));
     let deep = format!("{}; = Q4.0", vec!["A I0.0; O I0.1"; 2000].join("; "));
     for (input, code) in [(wide, "R-SIZE"), (deep, "R-DEPTH")] {
-        match draw(&statements(&input), &Plain, 160, Mode::RewritingConstants) {
+        match draw(&statements(&input), &PLAIN, 160, Mode::RewritingConstants) {
             Answer::No(refusal) => assert_eq!(refusal.reason.code(), code),
             other => panic!("{code}: {other:?}"),
         }
@@ -130,39 +137,13 @@ fn each_reason_names_the_statement() {
     assert_eq!(missing, [&Rewrite::NegatedBracket, &Rewrite::ExclusiveOr]);
 }
 
-/// Somebody who calls the block may read BR.
-struct Called;
-
-impl Surroundings for Called {
-    fn scratch(&self, operand: &str) -> Option<u32> {
-        Plain.scratch(operand)
-    }
-    fn is_temporary(&self, operand: &str) -> bool {
-        Plain.is_temporary(operand)
-    }
-    fn class(&self, operand: &str) -> Class {
-        Plain.class(operand)
-    }
-    fn overlap(&self, left: &str, right: &str) -> bool {
-        Plain.overlap(left, right)
-    }
-    fn begins_fresh(&self) -> bool {
-        true
-    }
-
-    fn is_read_elsewhere(&self, _: u32) -> bool {
-        false
-    }
-
-    fn branch_result_matters(&self) -> bool {
-        true
-    }
-}
+/// The caller of the block may read BR.
+const CALLED: ByNotation = ByNotation { branch_result_matters: true };
 
 #[test]
 fn a_jump_around_boxes_stays_where_the_branch_result_is_read() {
     let input = statements("A I0.0; JCN m1; L MW0; T MW2; m1: NOP 0");
-    let Answer::Equivalent(reading, _) = draw(&input, &Called, 160, Mode::Rewriting) else { panic!("it is split") };
+    let Answer::Equivalent(reading, _) = draw(&input, &CALLED, 160, Mode::Rewriting) else { panic!("it is split") };
     assert_eq!(reading.rewrites.into_iter().collect::<Vec<_>>(), [Rewrite::Placeholder, Rewrite::Split]);
     let networks: Vec<String> = reading.networks.iter().map(|network| print(network, Drawing::Lad)).collect();
     assert_eq!(networks.join(" // "), "I0.0 -> JMPN m1 // |- MOVE(MW0 => MW2) // LABEL m1: empty network");
@@ -204,7 +185,7 @@ fn every_element_knows_its_statements() {
         ("A I0.0; = L20.0; BLD 103; A I0.1; JNB _001; CALL FC1 (P := L20.0); _001: A BR; = Q4.0", "3-3 4-6 0-0 7-7"),
         ("A(; L MW0; L MW2; ==I; ); A(; A I0.0; BLD 100; FP M0.0; ); = Q4.0", "1-3 6-8 10-10"),
     ] {
-        let Answer::Exact(network) = draw(&statements(input), &Plain, 160, Mode::Strict) else { panic!("{input}") };
+        let Answer::Exact(network) = draw(&statements(input), &PLAIN, 160, Mode::Strict) else { panic!("{input}") };
         let Content::Rung(rung) = &network.content else { panic!("{input}") };
         let mut out = Vec::new();
         places(rung, &mut out);

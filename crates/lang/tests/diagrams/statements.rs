@@ -1,53 +1,13 @@
 //! Statements in one line, and what is known of their operands by how they are written.
 
 use sieben_lang::network::operand::Operand;
-use sieben_lang::network::read::{Class, Surroundings};
+use sieben_lang::network::read::notation::ByNotation;
 use sieben_lang::network::statement::{Parameter, Passing, Statement};
+use sieben_lang::network::write::scratch_number;
 use sieben_lang::stl::instructions::Instruction;
 
-/// Absolute addresses; `#t` is temporary.
-pub(crate) struct Plain;
-
-impl Surroundings for Plain {
-    fn scratch(&self, operand: &str) -> Option<u32> {
-        let (byte, bit) = operand.strip_prefix('L')?.trim_start().split_once('.')?;
-        Some(byte.parse::<u32>().ok()? * 8 + bit.parse::<u32>().ok()?)
-    }
-
-    fn is_temporary(&self, operand: &str) -> bool {
-        operand.starts_with("#t")
-    }
-
-    fn class(&self, operand: &str) -> Class {
-        let letters = operand.find(|sign: char| !sign.is_ascii_uppercase()).unwrap_or(operand.len());
-        let number = operand[letters..].trim_start().starts_with(|sign: char| sign.is_ascii_digit());
-        match &operand[..letters] {
-            "T" if number => Class::Timer,
-            "C" if number => Class::Counter,
-            area if number && area.ends_with('B') && area.len() > 1 => Class::Bits(8),
-            area if number && area.ends_with('W') => Class::Bits(16),
-            area if number && area.ends_with('D') => Class::Bits(32),
-            "I" | "Q" | "M" | "L" if number => Class::Bits(1),
-            _ => Class::Unknown,
-        }
-    }
-
-    fn overlap(&self, left: &str, right: &str) -> bool {
-        left == right
-    }
-
-    fn begins_fresh(&self) -> bool {
-        true
-    }
-
-    fn is_read_elsewhere(&self, _: u32) -> bool {
-        false
-    }
-
-    fn branch_result_matters(&self) -> bool {
-        false
-    }
-}
+/// Nothing is known but how operands are written.
+pub(crate) const PLAIN: ByNotation = ByNotation { branch_result_matters: false };
 
 fn mnemonic(text: &str) -> &'static str {
     let german = match text {
@@ -90,7 +50,7 @@ fn statement(text: &str) -> Statement {
 
 /// The first bit of local data that statements use for T-branches and pins.
 pub(crate) fn first_scratch(statements: &[Statement]) -> u32 {
-    statements.iter().filter(|one| one.mnemonic == "=").find_map(|one| Plain.scratch(&one.operand)).unwrap_or(160)
+    statements.iter().filter(|one| one.mnemonic == "=").find_map(|one| scratch_number(&one.operand)).unwrap_or(160)
 }
 
 fn shown(statement: &Statement) -> String {

@@ -7,7 +7,8 @@ use sieben_lang::network::read::{Answer, Mode, draw, read};
 use sieben_lang::network::to_lad::to_lad;
 use sieben_lang::network::write::write;
 
-use crate::statements::{Plain, all_shown, first_scratch, statements};
+use crate::blocks::blocks_of;
+use crate::statements::{PLAIN, all_shown, first_scratch, statements};
 
 struct Row {
     id: String,
@@ -34,7 +35,7 @@ fn codes<T: ToString>(codes: impl IntoIterator<Item = T>) -> String {
 fn answer(row: &Row) -> String {
     let input = statements(&row.input);
     let drawing = if row.expected.starts_with("exact in FBD") { Drawing::Fbd } else { Drawing::Lad };
-    match draw(&input, &Plain, first_scratch(&input), Mode::Rewriting) {
+    match draw(&input, &PLAIN, first_scratch(&input), Mode::Rewriting) {
         Answer::Exact(network) if drawing == Drawing::Fbd => {
             let lad = match to_lad(&network) {
                 Ok((lad, rewrites)) => format!("equivalent {}: {}", codes(rewrites), print(&lad, Drawing::Lad)),
@@ -67,7 +68,7 @@ fn networks_are_drawn_as_the_table_has_them() {
 fn what_cannot_be_drawn_is_refused_at_the_statement_of_the_table() {
     let mut wrong = Vec::new();
     for row in rows().iter().filter(|row| row.kind == "why-not") {
-        let answer = match read(&statements(&row.input), &Plain, Mode::Strict) {
+        let answer = match read(&statements(&row.input), &PLAIN, Mode::Strict) {
             Ok(reading) => print(&reading.networks[0], Drawing::Lad),
             Err(refusal) => format!("{} at statement {}", refusal.reason, refusal.statement + 1),
         };
@@ -78,23 +79,6 @@ fn what_cannot_be_drawn_is_refused_at_the_statement_of_the_table() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// The networks of each block: blocks are divided by `;` with the name of a block after it, networks by `//`.
-fn of_block(text: &str) -> Vec<(String, Vec<String>)> {
-    let mut blocks: Vec<(String, String)> = Vec::new();
-    for part in text.split(" ; ") {
-        let named = part.split_once(": ").filter(|(name, _)| matches!(*name, "OB1" | "FC1"));
-        match (named, blocks.last_mut()) {
-            (Some((name, networks)), _) => blocks.push((name.to_owned(), networks.to_owned())),
-            (None, Some((_, last))) => *last += &format!(" ; {part}"),
-            (None, None) => blocks.push(("OB1".to_owned(), part.to_owned())),
-        }
-    }
-    let networks = |text: String| text.split(" // ").map(str::to_owned).collect();
-    let mut blocks: Vec<_> = blocks.into_iter().map(|(name, text)| (name, networks(text))).collect();
-    blocks.sort();
-    blocks
-}
-
 #[test]
 fn diagrams_stand_for_the_statements_of_the_table() {
     let mut wrong = Vec::new();
@@ -103,8 +87,8 @@ fn diagrams_stand_for_the_statements_of_the_table() {
         let diagrams = row.input.split(" || ").next().unwrap_or_default();
         let programs = row.expected.trim_start_matches("STL: ").split(" || ").next().unwrap_or_default();
         let mut labels = 0;
-        let rungs = of_block(diagrams);
-        let blocks = of_block(programs);
+        let rungs = blocks_of(diagrams);
+        let blocks = blocks_of(programs);
         for (name, networks) in &rungs {
             let Some((_, programs)) = blocks.iter().find(|(other, _)| other == name) else { panic!("{}: {name}", row.id) };
             assert_eq!(networks.len(), programs.len(), "{}", row.id);
@@ -113,7 +97,7 @@ fn diagrams_stand_for_the_statements_of_the_table() {
                 let again = print(&network, drawing);
                 let program = statements(program);
                 let written = write(&network, first_scratch(&program), &mut labels).statements;
-                let same = difference(&program, &written, &Plain).is_some_and(|codes| codes.is_empty());
+                let same = difference(&program, &written, &PLAIN).is_some_and(|codes| codes.is_empty());
                 if again.replace(' ', "") != line.replace(' ', "") || !same {
                     wrong.push(format!(
                         "{} {line}\n  {again}\n  expected {}\n  written  {}",

@@ -1,5 +1,7 @@
 //! A fault as people write it: `tank.level stuck@30s`, `tank.level drift=0.5@10s..40s`.
 
+use std::fmt;
+
 use crate::duration;
 
 /// A signal fails.
@@ -92,6 +94,39 @@ impl Fault {
     }
 }
 
+/// A time as it is read again, in the largest unit that it is a whole number of.
+fn time_text(us: u64) -> String {
+    match us {
+        0 => "0".to_owned(),
+        us if us.is_multiple_of(1_000_000) => format!("{}s", us / 1_000_000),
+        us if us.is_multiple_of(1_000) => format!("{}ms", us / 1_000),
+        us => format!("{us}us"),
+    }
+}
+
+impl fmt::Display for FaultKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Stuck(None) => f.write_str("stuck"),
+            Self::Stuck(Some(value)) => write!(f, "stuck={value}"),
+            Self::Drift(per_second) => write!(f, "drift={per_second}"),
+            Self::Late(us) => write!(f, "late={}", time_text(*us)),
+            Self::Bounce(us) => write!(f, "bounce={}", time_text(*us)),
+        }
+    }
+}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { module, signal, kind, from_us, until_us } = self;
+        write!(f, "{module}.{signal} {kind}")?;
+        if let Some(from) = from_us {
+            write!(f, "@{}", time_text(*from))?;
+        }
+        until_us.map_or(Ok(()), |until| write!(f, "..{}", time_text(until)))
+    }
+}
+
 fn not_understood(text: &str) -> String {
     format!(
         "`{}` is no fault; write the plant, its signal and how it fails: `tank.level stuck@30s` or `tank.low bounce=50ms@10s..20s`",
@@ -113,6 +148,19 @@ mod tests {
         assert_eq!(fault("tank.level late=200ms"), Ok((level(), FaultKind::Late(200_000), None, None)));
         assert_eq!(fault("tank.level bounce=50ms@1s..2s"), Ok((level(), FaultKind::Bounce(50_000), Some(1_000_000), Some(2_000_000))));
         assert_eq!(Fault::parse_for("tank", "tank.level stuck"), Fault::parse_for("tank", "level stuck"));
+    }
+
+    #[test]
+    fn a_fault_is_written_as_it_is_read() {
+        for text in [
+            "tank.level stuck",
+            "tank.level stuck=-5@30s",
+            "tank.level drift=-0.5@0..60s",
+            "tank.level late=200ms",
+            "tank.low bounce=50ms@1500us..2s",
+        ] {
+            assert_eq!(Fault::parse(text).map(|fault| fault.to_string()).as_deref(), Ok(text));
+        }
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 mod fault;
 
+use std::any::Any;
 use std::collections::VecDeque;
 use std::ops::Range;
 
@@ -95,8 +96,13 @@ impl Plant {
     pub fn device(&self) -> &Device {
         &self.device
     }
-    fn kind(&self) -> &'static Kind {
+    /// What it is.
+    pub fn kind(&self) -> &'static Kind {
         self.device.settings().kind
+    }
+    /// Its faults, those too whose time has not come or is over.
+    pub fn faults(&self) -> impl Iterator<Item = &Fault> {
+        self.faults.iter().map(|active| &active.fault)
     }
 
     /// From its time on, one without a time from now on, a signal fails.
@@ -206,6 +212,11 @@ impl IoModule for Plant {
         self.look();
         set
     }
+}
+
+/// The plants in a rack.
+pub fn plants(rack: &Rack) -> impl Iterator<Item = &Plant> {
+    rack.modules().filter_map(|module| (module as &dyn Any).downcast_ref())
 }
 
 /// Lets a signal of one of the plants in a rack fail.

@@ -1,7 +1,7 @@
 //! Which box feeds which: what stands in series are the inputs of an `&` box, branches those of `>=1`.
 
 use sieben_lang::network::model::{Branch, Element, End, Kind, Line, Output, OutputKind, Place, Rung};
-use sieben_lang::network::write::reads_tap;
+use sieben_lang::network::write::{reads_tap, tap_in};
 
 use super::super::faces::{self, Face, Wired};
 use super::super::figures::{BoxFigure, Figure, PinFigure};
@@ -133,7 +133,14 @@ impl Maker<'_> {
                 self.taps.push((net, None));
                 let mut all = Vec::new();
                 for rung in rungs {
-                    let mut sub = self.rung(rung, Some(net));
+                    let tapped = self.net(match tap_in(&rung.line) {
+                        Some(tap) => Net::Found(tap.place),
+                        None => Net::Tapped { before: net, place: rung.tap },
+                    });
+                    if let Some(tap) = self.taps.last_mut() {
+                        tap.0 = tapped;
+                    }
+                    let mut sub = self.rung(rung, Some(tapped));
                     if let Source::Node(node) = &mut sub.source {
                         self.name_taps(node, 0, TAP_LINES_MAX);
                     }
@@ -309,7 +316,8 @@ impl Maker<'_> {
             Kind::Edge { falling, memory } => (if *falling { "N" } else { "P" }, memory.text.as_str(), false, self.net(Net::Found(place))),
             Kind::Not => ("NOT", "", false, self.net(Net::Not(power))),
             Kind::Midline { operand, negated } => {
-                let after = if *negated { self.net(Net::Not(power)) } else { power };
+                let found = self.net(Net::Found(place));
+                let after = if *negated { self.net(Net::Not(found)) } else { found };
                 ("#", operand.text.as_str(), *negated, after)
             }
             _ => return self.boxed(element, pins),

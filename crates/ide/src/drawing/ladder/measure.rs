@@ -147,7 +147,8 @@ impl Maker<'_> {
         Drawn { nodes, before, after, tail }
     }
 
-    fn sub_rung(&mut self, rung: &Rung, before: NetId) -> Drawn {
+    fn sub_rung(&mut self, rung: &Rung, tapped: NetId) -> Drawn {
+        let before = self.net(Net::Tapped { before: tapped, place: rung.tap });
         let mut drawn = self.rung(rung, before, Begin::Line);
         if drawn.nodes.first().is_some_and(Node::is_parallel) {
             drawn.nodes.insert(0, gap(before));
@@ -231,7 +232,10 @@ impl Maker<'_> {
                 let after = self.net(Net::Not(before));
                 self.mark(false, "NOT", "", None, place, kind, (before, after))
             }
-            Kind::Midline { operand, .. } => self.mark(true, "#", operand, None, place, kind, (before, before)),
+            Kind::Midline { operand, .. } => {
+                let after = self.net(Net::Found(place));
+                self.mark(true, "#", operand, None, place, kind, (before, after))
+            }
             Kind::Parallel { branches, .. } => self.parallel(branches, element, before, begin),
             _ => match faces::face(&element.kind) {
                 Some(face) => self.boxed(&face, element, before),

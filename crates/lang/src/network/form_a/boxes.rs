@@ -6,7 +6,7 @@ use crate::network::boxes::{BoxRow, CounterKind, TimerKind};
 use crate::network::flavour::Flavour;
 use crate::network::mistake::{Mistake, MistakeKind};
 use crate::network::model::{Actual, Counter, Element, Kind, Line, NamedBox, NamedInput, Pin, Place, Timer};
-use crate::network::operand::Operand;
+use crate::network::operand::{Operand, may_name_output};
 
 /// The first line of a box.
 #[derive(Clone, Copy)]
@@ -126,6 +126,11 @@ impl<'t> Parser<'_, 't> {
                 _ => (!written.trim().is_empty()).then(|| Wire::Output(operand(written, next.start + rest))),
             };
             match wire {
+                // `TRUE => x` on a line of its own: an input and the result.
+                Some(wire @ Wire::Output(_)) if !may_name_output(&name) && !name.starts_with('"') => {
+                    pins.push(Wired { name: None, wire: Wire::Input(Input { operand: name, mark: Mark::Plain }), start, end });
+                    pins.push(Wired { name: None, wire, start, end });
+                }
                 Some(wire) => pins.push(Wired { name: Some(name), wire, start, end }),
                 None => self.mistake(MistakeKind::Pin, next, format!("nothing is wired to `{name}`")),
             }
@@ -339,9 +344,10 @@ impl<'t> Parser<'_, 't> {
             None => {
                 let end = first_pin(written);
                 let own = written[..end].trim();
-                match is_path(own) && !written[end..].trim_start().starts_with("=>") {
-                    true => (Some(operand(own, start)), &written[end..], end),
-                    false => (None, written, 0),
+                match (is_path(own) && !written[end..].trim_start().starts_with("=>"), instance_before(written)) {
+                    (true, _) => (Some(operand(own, start)), &written[end..], end),
+                    (false, Some(length)) => (Some(operand(&written[..length], start)), &written[length..], length),
+                    (false, None) => (None, written, 0),
                 }
             }
         };
@@ -442,9 +448,12 @@ fn first_pin(written: &str) -> usize {
             let name = written[..at].trim_end();
             match name.strip_suffix('"') {
                 Some(inner) => inner.rfind('"').unwrap_or(0),
-                None => name
-                    .rfind(|sign: char| !(sign.is_alphanumeric() || sign == '_'))
-                    .map_or(0, |before| before + name[before..].chars().next().map_or(1, char::len_utf8)),
+                None => {
+                    let begin = name.trim_end_matches(|sign: char| sign.is_alphanumeric() || sign == '_').len();
+                    // `T#5s`, `a.b`: the last word of an operand names no pin.
+                    let alone = name[..begin].ends_with([' ', '\t', ',']) || begin == 0;
+                    if alone { begin } else { at }
+                }
             }
         }
         _ => bracket.min(written.len()),
@@ -464,6 +473,15 @@ fn outer_bracket(written: &str) -> usize {
         }
     }
     written.len()
+}
+
+/// `own a, 1`: how long the instance is that stands before the first input.
+fn instance_before(written: &str) -> Option<usize> {
+    let length = written.find(char::is_whitespace).filter(|&length| is_path(&written[..length]))?;
+    let next = written[length..].trim_start();
+    let word = next.find(|sign: char| !(sign.is_alphanumeric() || sign == '_')).map_or(next, |end| &next[..end]);
+    let is_operator = ["AND", "OR", "XOR", "MOD", "AND_THEN", "OR_ELSE"].iter().any(|one| one.eq_ignore_ascii_case(word));
+    (next.starts_with(|sign: char| sign.is_alphabetic() || matches!(sign, '_' | '"' | '#' | '%')) && !is_operator).then_some(length)
 }
 
 /// A name, or names and indexes with dots between.

@@ -1,6 +1,7 @@
 //! The lines of a diagram in form A: how far they are indented, what they say, their comments.
 
-use crate::network::operand::Operand;
+use super::boxes::pin_of;
+use crate::network::operand::{Operand, may_name_output};
 
 /// How many columns a tab goes on at most, and by how many spaces `fmt` indents.
 pub(super) const INDENT: usize = 4;
@@ -69,8 +70,8 @@ pub(super) fn lines(text: &str, from: usize, to: usize) -> Vec<TextLine<'_>> {
     out
 }
 
-/// Where the comment of a line begins.
-fn comment_start(content: &str) -> Option<usize> {
+/// Where the comment of a line begins: outside of quotes.
+pub fn comment_start(content: &str) -> Option<usize> {
     let mut quote = None;
     let bytes = content.as_bytes();
     for (at, sign) in content.char_indices() {
@@ -94,14 +95,31 @@ pub struct Comment {
     pub line: usize,
     /// It has a line of its own, and belongs to the next one.
     pub own_line: bool,
+    /// It belongs to this pin of the box at `line`.
+    pub pin: Option<String>,
 }
 
 /// The comments in a part of a text.
 pub fn comments(text: &str, from: usize, to: usize) -> Vec<Comment> {
-    let of = |line: TextLine<'_>| {
-        line.comment.map(|comment| Comment { text: comment.to_owned(), line: line.start, own_line: line.content.is_empty() })
-    };
-    lines(text, from, to).into_iter().filter_map(of).collect()
+    let lines = lines(text, from, to);
+    let mut out = Vec::new();
+    for (index, line) in lines.iter().enumerate() {
+        let Some(comment) = line.comment else { continue };
+        let own_line = line.content.is_empty();
+        let pin = lines.iter().enumerate().skip(index).find(|(_, next)| !next.content.is_empty()).and_then(|(at, next)| {
+            let (name, ..) = pin_of(next.content)?;
+            // Its box is the nearest line above that is not indented further, and no pin.
+            let owner = lines
+                .get(..at)?
+                .iter()
+                .rev()
+                .find(|above| !above.content.is_empty() && above.indent <= next.indent && pin_of(above.content).is_none())?;
+            Some((owner.start, name.trim_matches('"').to_owned()))
+        });
+        let (start, pin) = pin.map_or((line.start, None), |(owner, name)| (owner, Some(name)));
+        out.push(Comment { text: comment.to_owned(), line: start, own_line, pin });
+    }
+    out
 }
 
 /// The first word of a line's content, and what follows it with its place in the content.
@@ -182,7 +200,8 @@ fn argument(part: &str, start: usize) -> Argument {
         [(_, only)] if !only.trim().is_empty() => one.input = input(only, start),
         _ => {}
     }
-    if one.name.is_none() && has_output && one.input.as_ref().is_some_and(|input| input.mark == Mark::Plain && is_name(&input.operand)) {
+    let may_be_name = |input: &Input| input.mark == Mark::Plain && names_output(&input.operand);
+    if one.name.is_none() && has_output && one.input.as_ref().is_some_and(may_be_name) {
         // A word alone before `=>` may be the name of an output.
         one.name = one.input.take().map(|input| input.operand);
     }
@@ -204,6 +223,11 @@ fn input(part: &str, start: usize) -> Option<Input> {
     };
     let operand = operand(written, start);
     (!operand.text.is_empty()).then_some(Input { operand, mark })
+}
+
+/// What stands before `=>` may be the name of an output.
+fn names_output(written: &str) -> bool {
+    is_name(written) && (written.starts_with('"') || may_name_output(written))
 }
 
 /// A word or a name in quotes, as pins are named.

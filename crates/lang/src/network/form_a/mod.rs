@@ -8,9 +8,9 @@ mod print;
 mod recognized;
 
 pub use layout::format;
-pub use line::{Comment, comments, written_lines};
+pub use line::{Comment, comment_start, comments, written_lines};
 pub use parse::{NESTING_MAX, Parsed, parse};
-pub use print::print;
+pub use print::{CommentsOf, print};
 pub use recognized::is_form_a;
 
 #[cfg(test)]

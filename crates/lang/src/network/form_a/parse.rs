@@ -281,7 +281,18 @@ impl<'t> Parser<'_, 't> {
     }
 
     fn branches(&mut self, first: TextLine<'t>) -> Vec<Rung> {
-        self.group(first, "BRANCH").branches.into_iter().map(|(rung, ..)| rung).collect()
+        let mut rungs = Vec::new();
+        for (rung, line, _) in self.group(first, "BRANCH").branches {
+            if rung == Rung::default() {
+                self.wrong(
+                    Mistake::new(MistakeKind::Open, line.start, line.end(), "this branch of the T-branch is empty")
+                        .help("write a coil or a box into it, indented further, or take it away"),
+                );
+                continue;
+            }
+            rungs.push(rung);
+        }
+        rungs
     }
 
     /// The lines of a group whose branches end in nothing.

@@ -2,14 +2,17 @@
 
 use super::layout::{FormLine, layout};
 use crate::network::flavour::Drawing;
-use crate::network::model::{Actual, Alone, Content, Counter, Element, End, Kind, Network, Output, OutputKind, Place, Rung};
+use crate::network::model::{Actual, Alone, Content, Counter, Element, End, Kind, Network, Output, OutputKind, Pin, Place, Rung};
 use crate::network::operand::Operand;
 
 /// Boxes whose pins fit into so many columns are written on one line.
 const COLUMNS_MAX: usize = 80;
 
-/// The lines of a network, with the comments that belong to its places: those before an element, and the one on its line.
-pub fn print(network: &Network, drawing: Drawing, comments: &dyn Fn(Place) -> (Vec<String>, Option<String>)) -> String {
+/// The comments of an element, or of its pin with this name: those before it, and the one on its line.
+pub type CommentsOf<'c> = &'c dyn Fn(Place, Option<&str>) -> (Vec<String>, Option<String>);
+
+/// The lines of a network, with the comments that belong to its places.
+pub fn print(network: &Network, drawing: Drawing, comments: CommentsOf<'_>) -> String {
     let mut printer = Printer { lines: Vec::new(), drawing, comments };
     if let Some(label) = &network.label {
         printer.line(0, format!("LABEL {label}:"));
@@ -36,7 +39,7 @@ pub fn print(network: &Network, drawing: Drawing, comments: &dyn Fn(Place) -> (V
 struct Printer<'c> {
     lines: Vec<FormLine>,
     drawing: Drawing,
-    comments: &'c dyn Fn(Place) -> (Vec<String>, Option<String>),
+    comments: CommentsOf<'c>,
 }
 
 impl Printer<'_> {
@@ -46,11 +49,31 @@ impl Printer<'_> {
 
     /// The first line of an element, with its comments.
     fn element(&mut self, level: usize, content: String, place: Place) {
-        let (before, comment) = (self.comments)(place);
+        self.with_pins(level, content, place, |_| {});
+    }
+
+    /// The first line of a box and its pins. What lies in the logic at a pin has its own comments, so the pins are asked first.
+    fn with_pins(&mut self, level: usize, content: String, place: Place, pins: impl FnOnce(&mut Self)) {
+        let below = self.lines.len();
+        pins(self);
+        let pins = self.lines.split_off(below);
+        let comments = (self.comments)(place, None);
+        self.commented(level, content, comments);
+        self.lines.extend(pins);
+    }
+
+    /// A line with its comments.
+    fn commented(&mut self, level: usize, content: String, (before, comment): (Vec<String>, Option<String>)) {
         for comment in before {
             self.lines.push(FormLine { level, comment: Some(comment), ..FormLine::default() });
         }
         self.lines.push(FormLine { level, content, comment, after_empty: false });
+    }
+
+    /// A line of a pin of the box at a place.
+    fn pin(&mut self, level: usize, place: Place, name: &str, content: String) {
+        let comments = (self.comments)(place, Some(name));
+        self.commented(level, content, comments);
     }
 
     fn rung(&mut self, level: usize, rung: &Rung) {
@@ -151,47 +174,39 @@ impl Printer<'_> {
                     false => inputs.join(", "),
                 };
                 let content = format!("{} {inline} => {}", row.name, output.spaced());
-                if level * 4 + content.len() <= COLUMNS_MAX {
-                    return self.element(level, content, place);
-                }
-                self.element(level, row.name.to_owned(), place);
+                // A comment at a pin needs a line of the pin.
+                let below = self.lines.len();
                 for (name, input) in row.inputs.iter().zip(&inputs) {
-                    self.line(level + 1, format!("{name} := {input}"));
+                    self.pin(level + 1, place, name, format!("{name} := {input}"));
                 }
-                self.line(level + 1, format!("OUT => {}", output.spaced()));
+                self.pin(level + 1, place, "OUT", format!("OUT => {}", output.spaced()));
+                let pins = self.lines.split_off(below);
+                let inline = level * 4 + content.len() <= COLUMNS_MAX && pins.iter().all(|line| line.comment.is_none());
+                match inline {
+                    true => self.element(level, content, place),
+                    false => self.with_pins(level, row.name.to_owned(), place, |this| this.lines.extend(pins)),
+                }
             }
             Kind::FlipFlop { reset_first, operand, second } => {
                 let (name, pin) = if *reset_first { ("RS", "S") } else { ("SR", "R") };
-                self.element(level, format!("{name} {}", operand.spaced()), place);
-                self.logic(level + 1, pin, second.as_deref());
+                self.with_pins(level, format!("{name} {}", operand.spaced()), place, |this| {
+                    this.logic(level + 1, place, pin, second.as_deref());
+                });
             }
             Kind::Timer(timer) => {
-                self.element(level, format!("{} {}", timer.kind.box_name(), timer.timer.spaced()), place);
-                self.line(level + 1, format!("TV := {}", timer.value.spaced()));
-                self.logic(level + 1, "R", timer.reset.as_deref());
-                self.wired(level + 1, "BI", timer.binary.as_ref());
-                self.wired(level + 1, "BCD", timer.bcd.as_ref());
+                self.with_pins(level, format!("{} {}", timer.kind.box_name(), timer.timer.spaced()), place, |this| {
+                    this.pin(level + 1, place, "TV", format!("TV := {}", timer.value.spaced()));
+                    this.logic(level + 1, place, "R", timer.reset.as_deref());
+                    this.wired(level + 1, place, "BI", timer.binary.as_ref());
+                    this.wired(level + 1, place, "BCD", timer.bcd.as_ref());
+                });
             }
             Kind::Counter(counter) => self.counter(level, counter, place),
             Kind::Call { block, instance, pins } => {
                 let instance = instance.as_ref().map(|block| format!(", {}", block.spaced())).unwrap_or_default();
-                self.element(level, format!("CALL {}{instance}", block.spaced()), place);
-                for pin in pins {
-                    match &pin.actual {
-                        Actual::Direct(actual) => {
-                            let sign = if actual.is_bit_address() { "=" } else { "" };
-                            self.line(level + 1, format!("{} := {sign}{}", pin.name.as_name(), actual.spaced()));
-                        }
-                        Actual::Output(actual) => self.line(level + 1, format!("{} => {}", pin.name.as_name(), actual.spaced())),
-                        Actual::Logic(line) => match line.as_slice() {
-                            [Element { kind: Kind::Contact { operand, negated }, .. }] if operand.is_bit_address() || *negated => {
-                                let sign = if *negated { "/" } else { "" };
-                                self.line(level + 1, format!("{} := {sign}{}", pin.name.as_name(), operand.spaced()));
-                            }
-                            line => self.logic(level + 1, &pin.name.as_name(), Some(line)),
-                        },
-                    }
-                }
+                self.with_pins(level, format!("CALL {}{instance}", block.spaced()), place, |this| {
+                    pins.iter().for_each(|pin| this.pin_of_call(level + 1, place, pin));
+                });
             }
             Kind::Named(named) => {
                 let instance = named.instance.as_ref().map(|instance| format!("[{instance}]")).unwrap_or_default();
@@ -205,7 +220,7 @@ impl Printer<'_> {
                         (Some(name), [Element { kind: Kind::Contact { operand, negated: false }, .. }]) => {
                             self.line(level + 1, format!("{name} := {sign}{operand}"));
                         }
-                        (Some(name), line) => self.logic(level + 1, name, Some(line)),
+                        (Some(name), line) => self.logic(level + 1, place, name, Some(line)),
                         // A pin without its name is only written on the line of the box.
                         (None, [Element { kind: Kind::Contact { operand, .. }, .. }]) => {
                             if let Some(head) = self.lines.iter_mut().rev().find(|line| line.level == level) {
@@ -234,28 +249,63 @@ impl Printer<'_> {
     }
 
     fn counter(&mut self, level: usize, counter: &Counter, place: Place) {
-        self.element(level, format!("{} {}", counter.kind.box_name(), counter.counter.spaced()), place);
-        self.logic(level + 1, "CD", counter.down.as_deref());
-        if let Some((line, value)) = &counter.set {
-            self.logic(level + 1, "S", Some(line));
-            self.line(level + 1, format!("PV := {}", value.spaced()));
+        self.with_pins(level, format!("{} {}", counter.kind.box_name(), counter.counter.spaced()), place, |this| {
+            this.logic(level + 1, place, "CD", counter.down.as_deref());
+            if let Some((line, value)) = &counter.set {
+                this.logic(level + 1, place, "S", Some(line));
+                this.pin(level + 1, place, "PV", format!("PV := {}", value.spaced()));
+            }
+            this.logic(level + 1, place, "R", counter.reset.as_deref());
+            this.wired(level + 1, place, "CV", counter.value.as_ref());
+            this.wired(level + 1, place, "CV_BCD", counter.bcd.as_ref());
+        });
+    }
+
+    fn pin_of_call(&mut self, level: usize, place: Place, pin: &Pin) {
+        let name = pin.name.as_name();
+        match &pin.actual {
+            Actual::Direct(actual) => {
+                let sign = if actual.is_bit_address() { "=" } else { "" };
+                self.pin(level, place, &pin.name, format!("{name} := {sign}{}", actual.spaced()));
+            }
+            Actual::Output(actual) => self.pin(level, place, &pin.name, format!("{name} => {}", actual.spaced())),
+            Actual::Logic(line) => match line.as_slice() {
+                [Element { kind: Kind::Contact { operand, negated }, place: contact }] if operand.is_bit_address() || *negated => {
+                    let sign = if *negated { "/" } else { "" };
+                    // The contact has no line of its own.
+                    let (mut before, own) = (self.comments)(place, Some(&pin.name));
+                    let (more, of_contact) = (self.comments)(*contact, None);
+                    before.extend(more);
+                    let comment = match (own, of_contact) {
+                        (Some(own), Some(second)) => {
+                            before.push(own);
+                            Some(second)
+                        }
+                        (own, second) => own.or(second),
+                    };
+                    self.commented(level, format!("{name} := {sign}{}", operand.spaced()), (before, comment));
+                }
+                line => self.logic_at(level, place, &pin.name, &name, line),
+            },
         }
-        self.logic(level + 1, "R", counter.reset.as_deref());
-        self.wired(level + 1, "CV", counter.value.as_ref());
-        self.wired(level + 1, "CV_BCD", counter.bcd.as_ref());
     }
 
     /// Logic at a pin.
-    fn logic(&mut self, level: usize, pin: &str, line: Option<&[Element]>) {
+    fn logic(&mut self, level: usize, place: Place, pin: &str, line: Option<&[Element]>) {
         if let Some(line) = line {
-            self.line(level, format!("{pin}:"));
-            self.series(level + 1, line);
+            self.logic_at(level, place, pin, pin, line);
         }
     }
 
-    fn wired(&mut self, level: usize, pin: &str, output: Option<&Operand>) {
+    /// Logic at a pin that is written in another way than it is called.
+    fn logic_at(&mut self, level: usize, place: Place, pin: &str, written: &str, line: &[Element]) {
+        self.pin(level, place, pin, format!("{written}:"));
+        self.series(level + 1, line);
+    }
+
+    fn wired(&mut self, level: usize, place: Place, pin: &str, output: Option<&Operand>) {
         if let Some(output) = output {
-            self.line(level, format!("{pin} => {}", output.spaced()));
+            self.pin(level, place, pin, format!("{pin} => {}", output.spaced()));
         }
     }
 

@@ -22,8 +22,8 @@ fn a_printed_network_is_the_same_again() {
     for text in NETWORKS {
         let parsed = parse(text, 0, text.len(), Flavour::S7);
         assert!(parsed.mistakes.is_empty(), "{text}{:?}", parsed.mistakes);
-        assert_eq!(print(&parsed.network, Drawing::Lad, &|_| (Vec::new(), None)), **text);
-        let fbd = print(&parsed.network, Drawing::Fbd, &|_| (Vec::new(), None));
+        assert_eq!(print(&parsed.network, Drawing::Lad, &|_, _| (Vec::new(), None)), **text);
+        let fbd = print(&parsed.network, Drawing::Fbd, &|_, _| (Vec::new(), None));
         let again = parse(&fbd, 0, fbd.len(), Flavour::S7);
         assert_eq!(again.network, parsed.network, "{fbd}");
     }

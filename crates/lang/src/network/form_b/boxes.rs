@@ -97,7 +97,10 @@ impl Parser<'_> {
                 };
                 let Some(slot) = index.and_then(|index| inputs.get_mut(index)) else {
                     let pins = row.inputs.join("`, `");
-                    return self.scan.wrong_at(pin.from, format!("`{}` has no such input; its pins are `{pins}` and `OUT`", row.name));
+                    return self.scan.wrong_at(
+                        pin.from,
+                        format!("`{}` has no such input; its pins are `{pins}` and `OUT`, and what is written stands after `=>`", row.name),
+                    );
                 };
                 if slot.replace(operand).is_some() {
                     return self.scan.wrong_at(pin.from, format!("this input of `{}` is wired twice", row.name));
@@ -234,25 +237,14 @@ impl Parser<'_> {
         }
         self.scan.want("(", "`(` is missing before the pins")?;
         let mut named = NamedBox { name, instance, inputs: Vec::new(), outputs: Vec::new(), power: None, flow: None };
-        let mut positional = false;
         for pin in self.pins()? {
-            self.named_pin(&mut named, pin, &mut positional)?;
+            self.named_pin(&mut named, pin)?;
         }
         self.one(Kind::Named(Box::new(named)), from)
     }
 
-    fn named_pin(&mut self, named: &mut NamedBox, mut pin: RawPin, positional: &mut bool) -> Parsed<()> {
-        let only_output = pin.input.is_none() && pin.output.as_ref().is_some_and(|output| *output != ".");
-        if only_output
-            && let Some(name) = &pin.name
-            && (*positional || name.starts_with(|sign: char| sign.is_ascii_digit()))
-        {
-            // `ADD(a, b => sum)`: after inputs without names the word before the arrow is one of them.
-            let line = vec![Kind::contact(pin.written.clone(), false).at(self.scan.since(pin.from))];
-            pin.name = None;
-            pin.input = Some(RawInput::Operand(pin.written.clone(), line));
-        }
-        *positional |= pin.name.is_none() && pin.input.is_some();
+    /// `ADD(a, b => sum)`: only those who know the box can tell whether `b` is one of its outputs, or its last input.
+    fn named_pin(&mut self, named: &mut NamedBox, pin: RawPin) -> Parsed<()> {
         if let Some(input) = pin.input {
             let Some(mut line) = input.line() else { return self.scan.wrong_at(pin.from, "an input is written `NAME := …`") };
             if is_tap(&line) && !pin.negated {

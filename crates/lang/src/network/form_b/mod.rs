@@ -7,6 +7,7 @@ mod parse;
 mod pins;
 mod print;
 mod scan;
+mod slips;
 
 pub use parse::parse;
 pub use print::print;

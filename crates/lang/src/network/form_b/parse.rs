@@ -8,7 +8,7 @@ use crate::network::mistake::{Mistake, MistakeKind};
 use crate::network::model::{Alone, Branch, Content, Element, End, Kind, Line, Network, Output, OutputKind, Rung, XorInput};
 use crate::network::operand::{Operand, STATUS_BITS};
 use crate::network::rules;
-use crate::network::write::reads_tap;
+use crate::network::write::{keep_needed_brackets, reads_tap};
 
 /// What is wrong, and at which byte of the text that the line is part of.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -31,7 +31,7 @@ pub(super) type Parsed<T> = Result<T, Wrong>;
 pub fn parse(text: &str, offset: usize, flavour: Flavour) -> Result<Network, Mistake> {
     let network = syntax(text, offset, flavour).map_err(|wrong| {
         let sign = wrong.at.checked_sub(offset).and_then(|at| text.get(at..)).and_then(|rest| rest.chars().next());
-        Mistake::new(wrong.kind, wrong.at, wrong.at + sign.map_or(0, char::len_utf8), wrong.message)
+        Mistake::told(wrong.kind, wrong.at, wrong.at + sign.map_or(0, char::len_utf8), &wrong.message)
     })?;
     match rules::mistakes(&network, flavour, None).into_iter().next() {
         // What no element names lies at the beginning of the line.
@@ -45,7 +45,7 @@ fn syntax(text: &str, offset: usize, flavour: Flavour) -> Parsed<Network> {
     let mut parser = Parser { scan: Scanner::new(text, offset, flavour) };
     let network = parser.network()?;
     if !parser.scan.ended() {
-        return parser.scan.wrong("the network ends before this");
+        return parser.after_end();
     }
     Ok(network)
 }
@@ -155,11 +155,15 @@ impl Parser<'_> {
 
     fn rung_inside(&mut self, left: Left) -> Parsed<Rung> {
         let mut line = Line::new();
+        let mut arrow = None;
         loop {
-            if self.scan.ended() || self.scan.see(";") || self.scan.see("}") {
-                return Ok(Rung { line, end: End::Open });
+            let inside = left == Left::Tap && (self.scan.see(";") || self.scan.see("}"));
+            if inside || self.scan.ended() {
+                self.not_a_coil(&line, arrow)?;
+                return Ok(Rung::new(line, End::Open));
             }
             if self.scan.eat("->") {
+                arrow = Some(self.scan.at);
                 if self.at_output() {
                     break;
                 }
@@ -174,9 +178,13 @@ impl Parser<'_> {
             if self.scan.eat("{") {
                 let mut rungs = Vec::new();
                 loop {
-                    rungs.push(self.rung(Left::Tap)?);
+                    let rung = self.rung(Left::Tap)?;
+                    if rung == Rung::default() {
+                        return self.scan.wrong("this branch of the T-branch is empty; write a coil or a box into it, or take it away");
+                    }
+                    rungs.push(rung);
                     if self.scan.eat("}") {
-                        return Ok(Rung { line, end: End::Branches(rungs) });
+                        return Ok(Rung::new(line, End::Branches(rungs)));
                     }
                     self.scan.want(";", "`;` or `}` is expected after a branch")?;
                 }
@@ -187,7 +195,7 @@ impl Parser<'_> {
         loop {
             outputs.push(self.output()?);
             if !self.scan.eat(",") {
-                return Ok(Rung { line, end: rules::outputs(outputs) });
+                return Ok(Rung::new(line, rules::outputs(outputs)));
             }
         }
     }
@@ -377,6 +385,9 @@ impl Parser<'_> {
             },
             (name, Some('(' | '[')) if !s7 && !name.is_empty() && self.names_a_box(name) => self.named_box(name, from),
             _ => {
+                if let Some(wrong) = self.no_element() {
+                    return wrong;
+                }
                 let operand = self.scan.operand()?;
                 if s7 && operand.starts_with(|sign: char| sign.is_ascii_digit()) {
                     return self.scan.wrong_at(from, format!("a contact reads a bit, such as `I 0.0`, and `{operand}` is a number"));
@@ -406,7 +417,7 @@ impl Parser<'_> {
     fn parallel(&mut self, from: usize) -> Parsed<Line> {
         let mut branches = Vec::new();
         loop {
-            branches.push(Branch { line: self.branch()?, bracketed: false });
+            branches.push(self.or_branch()?);
             if self.scan.eat(")") {
                 break;
             }
@@ -415,6 +426,7 @@ impl Parser<'_> {
         if let [_] = branches.as_slice() {
             return Ok(branches.pop().map(|branch| branch.line).unwrap_or_default());
         }
+        keep_needed_brackets(&mut branches);
         self.one(Kind::Parallel { branches, negated: false }, from)
     }
 
@@ -427,11 +439,24 @@ impl Parser<'_> {
 
     /// Elements up to a sign that ends a branch, an input or a pin.
     pub(super) fn branch(&mut self) -> Parsed<Line> {
-        let mut line = Line::new();
+        self.parts().map(|(line, _)| line)
+    }
+
+    /// A branch of a parallel. In a bracket of its own it stands in `O( )`, as `OR ( )` of form A does.
+    fn or_branch(&mut self) -> Parsed<Branch> {
+        let bracket = self.scan.see("(") && self.scan.flavour == Flavour::S7;
+        let (line, count) = self.parts()?;
+        Ok(Branch { line, bracketed: bracket && count == 1 })
+    }
+
+    /// The elements of a branch, and of how many parts side by side they are.
+    fn parts(&mut self) -> Parsed<(Line, usize)> {
+        let (mut line, mut count) = (Line::new(), 0);
         loop {
             self.part(&mut line, Left::Nothing)?;
+            count += 1;
             if self.scan.ended() || ["|", ")", ",", "=>", ";", "}"].iter().any(|sign| self.scan.see(sign)) {
-                return Ok(line);
+                return Ok((line, count));
             }
             self.scan.eat("->");
         }
@@ -458,9 +483,6 @@ impl Parser<'_> {
     }
 
     fn condition(&mut self, from: usize) -> Parsed<Line> {
-        if self.scan.flavour == Flavour::Iec {
-            return self.scan.wrong_at(from, "a comparison is a box: `GT(a, b)`");
-        }
         self.scan.space();
         let at = self.scan.at;
         let rest = self.scan.rest();
@@ -471,11 +493,17 @@ impl Parser<'_> {
             self.scan.want("]", "`]` is missing after the status bit")?;
             return self.one(Kind::contact(Operand { text: (*bit).to_owned(), start: Some(place.first) }, false), from);
         }
+        // In IEC 61131-3 a status bit is a name like any other.
+        if self.scan.flavour == Flavour::Iec {
+            return self.scan.wrong_at(from, "a comparison is a box: `GT(a, b)`");
+        }
         let left = self.scan.operand()?;
         self.scan.space();
         let rest = self.scan.rest();
         let Some(operation) = COMPARISONS.iter().find(|name| rest.starts_with(**name)) else {
-            return self.scan.wrong("a comparison is expected here, such as `>I`, `==D` or `<=R`");
+            return self
+                .scan
+                .wrong("a comparison is expected here, such as `>I`, `==D` or `<=R`; I compares INT, D DINT and R REAL: `[MW 10 >I 100]`");
         };
         self.scan.at += operation.len();
         let right = self.scan.operand()?;
@@ -489,18 +517,18 @@ impl Parser<'_> {
         loop {
             self.scan.space();
             let at = self.scan.at;
-            let line = self.branch()?;
-            inputs.push((line, self.scan.since(at)));
+            let input = self.or_branch()?;
+            inputs.push((input, self.scan.since(at)));
             if self.scan.eat(")") {
                 break;
             }
             self.scan.want(",", "`,` or `)` is expected after an input")?;
         }
-        let line = |(line, _)| line;
         match word {
             "and" => {
                 let mut whole = Line::new();
                 for (index, (input, place)) in inputs.into_iter().enumerate() {
+                    let input = input.line;
                     if index == 0 && left == Left::Line && is_tap(&input) {
                         continue;
                     }
@@ -514,11 +542,12 @@ impl Parser<'_> {
                 Ok(whole)
             }
             "or" => {
-                let branches = inputs.into_iter().map(line).map(|line| Branch { line, bracketed: false }).collect();
+                let mut branches: Vec<Branch> = inputs.into_iter().map(|(branch, _)| branch).collect();
+                keep_needed_brackets(&mut branches);
                 self.one(Kind::Parallel { branches, negated: false }, from)
             }
             _ => {
-                let inputs = inputs.into_iter().map(line).map(|line| XorInput { line, negated: false }).collect();
+                let inputs = inputs.into_iter().map(|(input, _)| XorInput { line: input.line, negated: false }).collect();
                 self.one(Kind::Xor { inputs, negated: false }, from)
             }
         }

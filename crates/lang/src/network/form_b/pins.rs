@@ -3,7 +3,7 @@
 use super::parse::{Parsed, Parser};
 use crate::network::flavour::Flavour;
 use crate::network::model::{Kind, Line};
-use crate::network::operand::Operand;
+use crate::network::operand::{Operand, may_name_output};
 
 /// A pin: `name := logic`, `name := operand`, `name => operand`, or without a name.
 #[derive(Default)]
@@ -76,6 +76,10 @@ impl Parser<'_> {
         let mut pin = RawPin { from, ..RawPin::default() };
         let circle = self.scan.flavour == Flavour::Iec && self.scan.eat("/");
         (pin.name, pin.written) = self.pin_name();
+        // An output has no circle: `/b => x` is an input.
+        if pin.name.is_some() && circle && self.scan.see("=>") {
+            pin.name = None;
+        }
         match pin.name {
             Some(_) => pin.negated = circle,
             None => self.scan.at = from,
@@ -105,7 +109,9 @@ impl Parser<'_> {
         };
         let start = self.scan.since(from).first;
         self.scan.at = from + length;
-        let named = !text.is_empty() && (self.scan.see(":=") || self.scan.see("=>"));
+        // `MOVE(TRUE => x)`, `ABS(a.b => x)`: what stands before the arrow is an input.
+        let is_input = self.scan.flavour == Flavour::Iec && length == text.len() && !may_name_output(text);
+        let named = !text.is_empty() && (self.scan.see(":=") || self.scan.see("=>") && !is_input);
         let at_start = |text: &str| Operand { text: text.to_owned(), start: Some(start) };
         (named.then(|| at_start(text)), at_start(rest.get(..length).unwrap_or_default()))
     }

@@ -3,9 +3,10 @@
 use crate::network::boxes::BoxRow;
 use crate::network::flavour::Drawing;
 use crate::network::model::{
-    Actual, Alone, Branch, Content, Counter, Element, End, Kind, Line, NamedBox, Network, Output, OutputKind, Pin, Rung, Timer, XorInput,
+    Actual, Alone, Branch, Content, Counter, Element, End, Kind, Line, NamedBox, NamedInput, Network, Output, OutputKind, Pin, Rung, Timer,
+    XorInput,
 };
-use crate::network::operand::Operand;
+use crate::network::operand::{Operand, may_name_output};
 use crate::network::write::reads_tap;
 
 /// A network on one line.
@@ -142,7 +143,11 @@ impl Printer {
             Drawing::Lad => ("(", " | "),
             Drawing::Fbd => ("or(", ", "),
         };
-        format!("{open}{})", joined(branches, |branch| self.inside(&branch.line), between))
+        let branch = |branch: &Branch| {
+            let line = self.inside(&branch.line);
+            if branch.bracketed { format!("({line})") } else { line }
+        };
+        format!("{open}{})", joined(branches, branch, between))
     }
 
     fn group(&self, line: &[Element], negated: bool) -> String {
@@ -215,23 +220,29 @@ impl Printer {
 
     fn named(&self, named: &NamedBox) -> String {
         let mut pins: Vec<String> = named.power.iter().map(|pin| format!("{pin} := .")).collect();
-        let outputs = named.outputs.iter().map(|(name, output)| match name {
-            Some(name) => format!("{name} => {output}"),
-            None => format!("=> {output}"),
-        });
-        // After an input without a name the name of an output would be the next input.
-        let (first, last): (Vec<_>, Vec<_>) = match named.inputs.iter().any(|input| input.name.is_none()) {
-            true => outputs.partition(|pin: &String| !pin.starts_with("=>")),
-            false => (Vec::new(), outputs.collect()),
-        };
-        pins.extend(first);
         for input in &named.inputs {
             let line = self.inside(&input.line);
             let line = if input.negated && input.line.len() > 1 { format!("({line})") } else { line };
             let name = input.name.as_ref().map(|name| format!("{name} := ")).unwrap_or_default();
             pins.push(format!("{name}{}{line}", slash(input.negated)));
         }
-        pins.extend(last);
+        // A word alone before the arrow would be read as the name of the output.
+        let may_be_name = |input: &NamedInput| {
+            let alone = match input.line.as_slice() {
+                [Element { kind: Kind::Contact { operand, negated: false }, .. }] => Some(operand),
+                _ => None,
+            };
+            !input.negated && alone.is_some_and(|operand| operand.starts_with('"') || may_name_output(operand))
+        };
+        let by_position = named.inputs.last().is_some_and(|input| input.name.is_none() && !may_be_name(input));
+        for (index, (name, output)) in named.outputs.iter().enumerate() {
+            match (name, pins.last_mut()) {
+                (Some(name), _) => pins.push(format!("{name} => {output}")),
+                // `ADD(a, b => sum)`.
+                (None, Some(last)) if index == 0 && by_position => last.push_str(&format!(" => {output}")),
+                (None, _) => pins.push(format!("=> {output}")),
+            }
+        }
         pins.extend(named.flow.iter().map(|pin| format!("{pin} => .")));
         let instance = named.instance.as_ref().map(|instance| format!("[{instance}]")).unwrap_or_default();
         format!("{}{instance}({})", named.name, pins.join(", "))

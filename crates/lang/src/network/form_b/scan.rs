@@ -49,6 +49,38 @@ impl<'t> Scanner<'t> {
         Err(Wrong { at: self.offset + at, message: message.into(), kind: MistakeKind::Line })
     }
 
+    /// A message at a byte of the text that the line is part of.
+    pub(super) fn wrong_in_text<T>(&self, at: usize, message: impl Into<String>) -> Parsed<T> {
+        self.wrong_at(at.saturating_sub(self.offset), message)
+    }
+
+    /// The operand is the first thing from a byte of the line on.
+    pub(super) fn begins_at(&self, operand: &Operand, at: usize) -> bool {
+        let rest = self.text.get(at..).unwrap_or_default();
+        operand.start.map(|start| start as usize) == Some(self.offset + self.text.len() - rest.trim_start().len())
+    }
+
+    /// The sign is the last thing that was read.
+    pub(super) fn follows(&self, sign: &str) -> bool {
+        self.text.get(..self.at).unwrap_or_default().trim_end().ends_with(sign)
+    }
+
+    /// The innermost bracket that is open here.
+    pub(super) fn open_bracket(&self) -> Option<char> {
+        let (mut open, mut quote) = (Vec::new(), None);
+        for sign in self.text.get(..self.at).unwrap_or_default().chars() {
+            match (quote, sign) {
+                (Some(end), sign) if end == sign => quote = None,
+                (Some(_), _) => {}
+                (None, '"' | '\'') => quote = Some(sign),
+                (None, '(' | '[' | '{') => open.push(sign),
+                (None, ')' | ']' | '}') => drop(open.pop()),
+                _ => {}
+            }
+        }
+        open.pop()
+    }
+
     /// From a byte of the line to the last one that was read.
     pub(super) fn since(&self, from: usize) -> Place {
         let read = self.text.get(from..self.at).unwrap_or_default().trim_end().len();
@@ -114,6 +146,12 @@ impl<'t> Scanner<'t> {
         self.space();
         let from = self.at;
         self.operand_part()?;
+        if self.flavour == Flavour::Iec
+            && let Some((sign, instead)) = operator(self.text.get(from..self.at).unwrap_or_default(), self.rest())
+        {
+            let message = format!("`{sign}` belongs to an expression of Structured Text; in a line of a diagram {instead}");
+            return self.wrong_at(from, message);
+        }
         if self.at == from || self.text.get(from..self.at) == Some(".") {
             self.at = from;
             return self.wrong("an operand is missing here");
@@ -166,6 +204,10 @@ impl<'t> Scanner<'t> {
                 (None, ']' | ')') if depth > 0 => depth -= 1,
                 (None, _) if depth > 0 => {}
                 (None, ',' | ')' | '(' | '|' | ';' | '[' | ']' | '{' | '}' | '!' | '/' | '=' | '<' | '>') => {
+                    end = index;
+                    break;
+                }
+                (None, '&') if self.flavour == Flavour::S7 => {
                     end = index;
                     break;
                 }
@@ -229,4 +271,32 @@ fn begins_with_unit(text: &str) -> bool {
 
 fn ends_with_unit(text: &str) -> bool {
     text.rsplit(char::is_whitespace).next().is_some_and(|word| UNITS.iter().any(|unit| word.eq_ignore_ascii_case(unit)))
+}
+
+/// Operators of Structured Text, and what stands for them in a line.
+const OPERATORS: [(&str, &str); 15] = [
+    ("<", "it is a box, `LT(a, b)`, or a contact of form A, `NO a < b`"),
+    (">", "it is a box, `GT(a, b)`, or a contact of form A, `NO a > b`"),
+    ("=", "it is a box, `EQ(a, b)`, or a contact of form A, `NO a = b`, and coils stand after `->`"),
+    ("<>", "it is a box, `NE(a, b)`, or a contact of form A, `NO a <> b`"),
+    ("<=", "it is a box, `LE(a, b)`, or a contact of form A, `NO a <= b`"),
+    (">=", "it is a box, `GE(a, b)`, or a contact of form A, `NO a >= b`"),
+    ("+", "a sum has no spaces, `a+b`"),
+    ("-", "a difference has no spaces, `a-b`"),
+    ("*", "a product has no spaces, `a*b`"),
+    ("**", "a power has no spaces, `a**b`"),
+    ("&", "a space is AND"),
+    ("AND", "a space is AND"),
+    ("OR", "OR is `(a | b)`"),
+    ("XOR", "exclusive OR is `xor(a, b)`, and only FBD has it"),
+    ("MOD", "it is a box, `MOD(a, b)`"),
+];
+
+/// An operator where an operand is wanted, and what stands for it; comparisons end what was read.
+fn operator(read: &str, rest: &str) -> Option<(&'static str, &'static str)> {
+    let word = match read {
+        "" => rest.find(|sign| !matches!(sign, '<' | '>' | '=')).map_or(rest, |end| &rest[..end]),
+        read => read,
+    };
+    OPERATORS.iter().copied().find(|(sign, _)| sign.eq_ignore_ascii_case(word))
 }

@@ -6,6 +6,7 @@ use super::{Class, Mode};
 use crate::network::boxes::{BoxRow, COMPARISONS, CounterKind, TimerKind};
 use crate::network::model::{Actual, Counter, Kind, Line, Pin, Timer};
 use crate::network::operand::Operand;
+use crate::network::pin_types::TypedPin;
 use crate::network::reasons::{Reason, Refusal, Rewrite};
 use crate::network::statement::{Parameter, Passing};
 
@@ -168,29 +169,17 @@ impl<'s> Reader<'s> {
         };
         self.at += 1;
         let output = store.operand.clone();
-        // Loads stand in their order in the statements, widths in the order of the pins.
-        let mut widths = row.widths.to_vec();
-        if row.reversed {
-            widths.swap(0, 1);
-        }
-        for (index, operand) in inputs.iter().chain([&output]).enumerate() {
-            let wanted = widths.get(index).copied().unwrap_or_default();
-            let own = match self.class(operand) {
-                Class::Bits(own) => own,
-                Class::Timer | Class::Counter => 16,
-                Class::Unknown => continue,
-            };
-            if own == 1 || (wanted != 0 && own != wanted) {
-                let at = if index == inputs.len() { self.at - 1 } else { begin + index };
-                let detail = format!("`{operand}` has {own} bits, `{}` takes {wanted}", row.name);
-                return Err(Refusal {
-                    detail: if wanted == 0 { String::new() } else { detail },
-                    ..Refusal::new(Reason::Width, self.original(at))
-                });
-            }
-        }
+        let loads = inputs.len();
         if row.reversed {
             inputs.reverse();
+        }
+        // In the order of the statements, so that the first one is named that does not fit.
+        for at in 0..=loads {
+            let pin = if row.reversed && at < loads { loads - 1 - at } else { at };
+            let place = if at == loads { self.at - 1 } else { begin + at };
+            if let (Some(typed), Some(operand)) = (TypedPin::of_box(row, pin), inputs.iter().chain([&output]).nth(pin)) {
+                self.fits(typed, operand, place)?;
+            }
         }
         Ok(Kind::Box { row, inputs, output })
     }
@@ -341,7 +330,7 @@ impl<'s> Reader<'s> {
     }
 
     /// `NOP 0`, or a load and a store.
-    fn output_slot(&mut self, load: &str, operand: &Operand, name: &str) -> Read<Option<Operand>> {
+    fn output_slot(&mut self, load: &str, operand: &Operand, pin: TypedPin) -> Read<Option<Operand>> {
         if self.is("NOP", "0") {
             self.at += 1;
             return Ok(None);
@@ -349,13 +338,14 @@ impl<'s> Reader<'s> {
         if self.is(load, operand)
             && let Some(store) = self.statement_at(self.at + 1).filter(|one| one.mnemonic == "T")
         {
+            self.fits(pin, &store.operand, self.at + 1)?;
             self.at += 2;
             return Ok(Some(store.operand.clone()));
         }
         if matches!(self.peek(), "L" | "LC") && !self.rewriting() {
             return self.here(Reason::Order);
         }
-        self.open_slot(name)?;
+        self.open_slot(pin.name)?;
         Ok(None)
     }
 
@@ -376,9 +366,11 @@ impl<'s> Reader<'s> {
     }
 
     fn timer(&mut self, kind: TimerKind, value: Operand, timer: Operand) -> Read<(Kind, Flow)> {
+        let [time, remaining, decimal] = TypedPin::of_timer(kind);
+        self.fits(time, &value, self.at.saturating_sub(2))?;
         let reset = self.slot("R", &timer, "R")?;
-        let binary = self.output_slot("L", &timer, "BI")?;
-        let bcd = self.output_slot("LC", &timer, "BCD")?;
+        let binary = self.output_slot("L", &timer, remaining)?;
+        let bcd = self.output_slot("LC", &timer, decimal)?;
         let flow = self.q(&timer)?;
         Ok((Kind::Timer(Box::new(Timer { kind, timer, value, reset, binary, bcd })), flow))
     }
@@ -398,16 +390,17 @@ impl<'s> Reader<'s> {
             }
             (CounterKind::UpDown, self.slot("CD", name, "CD")?)
         };
-        let set = self.set_slot(name)?;
+        let [preset, count, decimal] = TypedPin::of_counter(kind);
+        let set = self.set_slot(name, preset)?;
         let reset = self.slot("R", name, "R")?;
-        let value = self.output_slot("L", name, "CV")?;
-        let bcd = self.output_slot("LC", name, "CV_BCD")?;
+        let value = self.output_slot("L", name, count)?;
+        let bcd = self.output_slot("LC", name, decimal)?;
         let flow = self.q(name)?;
         Ok((Kind::Counter(Box::new(Counter { kind, counter: name.clone(), down, set, reset, value, bcd })), flow))
     }
 
     /// `NOP 0; NOP 0`, or logic, the value and `S C n`.
-    fn set_slot(&mut self, name: &Operand) -> Read<Option<(Line, Operand)>> {
+    fn set_slot(&mut self, name: &Operand, pin: TypedPin) -> Read<Option<(Line, Operand)>> {
         if self.is("NOP", "0") {
             self.at += 1;
             if self.is("NOP", "0") {
@@ -425,6 +418,7 @@ impl<'s> Reader<'s> {
         }
         let line = self.slot_logic()?;
         let Some(load) = self.current().filter(|_| self.at == end && !line.is_empty()) else { return self.here(Reason::Nop) };
+        self.fits(pin, &load.operand, self.at)?;
         self.at += 2;
         Ok(Some((line, load.operand.clone())))
     }

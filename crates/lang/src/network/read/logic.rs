@@ -5,8 +5,9 @@ use super::prepare::{is_check, is_opening};
 use super::rung::{Flow, Named, Read, Reader, Tapped};
 use crate::network::boxes::COMPARISONS;
 use crate::network::model::{Branch, Element, Kind, Line, Place, XorInput};
+use crate::network::pin_types::TypedPin;
 use crate::network::reasons::{Reason, Rewrite};
-use crate::network::write::may_stand_bare;
+use crate::network::write::keep_needed_brackets;
 
 /// How many brackets a CPU keeps open.
 const NESTING_MAX: usize = crate::network::rules::BRACKETS_MAX;
@@ -126,7 +127,7 @@ impl Reader<'_> {
             logic.series = branches.pop().map(|only| only.line).unwrap_or_default();
             return Ok(());
         }
-        keep_needed_flags(&mut branches);
+        keep_needed_brackets(&mut branches);
         let place = around(branches.iter().map(|branch| branch.line.as_slice()));
         self.deeper(logic)?;
         logic.series = vec![Kind::Parallel { branches, negated: false }.at(place)];
@@ -170,7 +171,7 @@ impl Reader<'_> {
                     logic.series.push(Kind::Midline { operand: statement.operand.clone(), negated }.at(self.place(at, at + 1)));
                 }
                 "L" if !logic.started && self.is_comparison(at) => {
-                    let compare = self.comparison();
+                    let compare = self.comparison()?;
                     logic.series.extend(compare);
                     logic.started = true;
                 }
@@ -180,13 +181,18 @@ impl Reader<'_> {
         Ok(())
     }
 
-    fn comparison(&mut self) -> Option<Element> {
+    fn comparison(&mut self) -> Read<Option<Element>> {
         let at = self.at;
-        let left = self.statement_at(at)?.operand.clone();
-        let right = self.statement_at(at + 1)?.operand.clone();
-        let operation = COMPARISONS.into_iter().find(|name| *name == self.mnemonic_at(at + 2))?;
+        let operation = COMPARISONS.into_iter().find(|name| *name == self.mnemonic_at(at + 2));
+        let (Some(left), Some(right), Some(operation)) = (self.statement_at(at), self.statement_at(at + 1), operation) else {
+            return Ok(None);
+        };
+        let (left, right) = (left.operand.clone(), right.operand.clone());
+        let [first, second] = TypedPin::of_comparison(operation);
+        self.fits(first, &left, at)?;
+        self.fits(second, &right, at + 1)?;
         self.at += 3;
-        Some(Kind::Compare { operation, left, right, negated: false }.at(self.place(at, at + 2)))
+        Ok(Some(Kind::Compare { operation, left, right, negated: false }.at(self.place(at, at + 2))))
     }
 
     /// `A x`, also with the edge of a POS or NEG box.
@@ -392,14 +398,6 @@ fn around<'l>(lines: impl DoubleEndedIterator<Item = &'l [Element]> + Clone) -> 
     let first = lines.clone().flatten().next().map_or(0, |one| one.place.first);
     let last = lines.rev().find_map(|line| line.last()).map_or(first, |one| one.place.last);
     Place { first, last }
-}
-
-/// A branch keeps the flag of its bracket only where the writer would have left the bracket out.
-fn keep_needed_flags(branches: &mut [Branch]) {
-    let last_edge = branches.iter().rposition(|branch| branch.line.iter().any(|one| one.kind.holds_edge()));
-    for (index, branch) in branches.iter_mut().enumerate() {
-        branch.bracketed &= may_stand_bare(branch, index, last_edge);
-    }
 }
 
 /// The circle of a bracket.

@@ -3,6 +3,7 @@
 mod boxes;
 pub mod compare;
 mod logic;
+pub mod notation;
 mod prepare;
 mod rung;
 
@@ -10,6 +11,7 @@ use std::collections::BTreeSet;
 
 use super::boxes::COMPARISONS;
 use super::model::{Content, Network};
+pub use super::pin_types::Class;
 use super::reasons::{Reason, Refusal, Rewrite};
 use super::rules;
 use super::statement::Statement;
@@ -32,19 +34,6 @@ pub trait Surroundings {
     fn begins_fresh(&self) -> bool;
     /// Another network reads this bit of local data before it writes it.
     fn is_read_elsewhere(&self, bit: u32) -> bool;
-}
-
-/// What an operand is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Class {
-    /// A timer.
-    Timer,
-    /// A counter.
-    Counter,
-    /// Something of so many bits.
-    Bits(u8),
-    /// Not known, or a constant that fits any width.
-    Unknown,
 }
 
 /// Whether statements are rewritten where they do not fit.
@@ -82,56 +71,58 @@ pub enum Answer {
 
 /// Draws the statements of a network. `scratch` is the first free bit of local data of the block.
 pub fn draw(statements: &[Statement], around: &dyn Surroundings, scratch: u32, mode: Mode) -> Answer {
-    let strict = read(statements, around, Mode::Strict);
-    let strict = strict.and_then(within_limits);
-    let refusal = match strict {
-        Ok(mut reading) => {
-            let Some(network) = reading.networks.first() else { return Answer::Exact(Network::default()) };
-            let written = write(network, scratch, &mut 0).statements;
-            let is_empty = statements.is_empty() && network.content == Content::Empty;
-            let difference = if is_empty { Some(BTreeSet::new()) } else { compare::difference(statements, &written, around) };
-            if reading.rewrites.is_empty() {
-                match difference {
-                    Some(codes) if codes.is_empty() => return Answer::Exact(reading.networks.swap_remove(0)),
-                    Some(codes) => reading.rewrites = codes,
-                    // Every statement was read for what it does: what is left are brackets and checks written in another way.
-                    None => {
-                        reading.rewrites.insert(Rewrite::Brackets);
-                    }
-                }
-            }
-            let start = reading.starts.first().copied().unwrap_or(0);
-            return match safe(renumbered(reading, statements, around, scratch), statements, around, scratch) {
-                Some(reading) => Answer::Equivalent(reading, None),
-                None => Answer::No(Refusal::new(Reason::Carried, start)),
-            };
-        }
+    let refusal = match read(statements, around, Mode::Strict).and_then(within_limits) {
+        Ok(reading) => return without_rewriting(reading, statements, around, scratch),
         Err(refusal) => refusal,
     };
-    match read(statements, around, mode.max(Mode::Rewriting)).and_then(within_limits) {
-        Ok(reading) => match safe(renumbered(reading, statements, around, scratch), statements, around, scratch) {
-            Some(reading) => Answer::Equivalent(reading, Some(refusal)),
-            None => Answer::No(refusal),
-        },
-        Err(_) => Answer::No(refusal),
+    let rewritten = read(statements, around, mode.max(Mode::Rewriting)).and_then(within_limits);
+    // What is read with rewrites only, and needs none of them, is not understood.
+    let rewritten = rewritten.ok().filter(|reading| !reading.rewrites.is_empty());
+    match rewritten.and_then(|reading| safe(reading, statements, around, scratch)) {
+        Some(reading) => Answer::Equivalent(reading, Some(refusal)),
+        None => Answer::No(refusal),
     }
 }
 
-/// Says so if the bits of T-branches and pins are others when the diagrams are written.
-fn renumbered(mut reading: Reading, statements: &[Statement], around: &dyn Surroundings, scratch: u32) -> Reading {
-    let bits = |statements: &[Statement]| -> Vec<u32> {
-        statements.iter().filter(|one| one.mnemonic == "=").filter_map(|one| around.scratch(&one.operand)).collect()
-    };
-    let before = bits(statements);
-    let after: Vec<u32> = reading.networks.iter().flat_map(|network| bits(&write(network, scratch, &mut 0).statements)).collect();
+/// The answer for statements that are read as they are.
+fn without_rewriting(mut reading: Reading, statements: &[Statement], around: &dyn Surroundings, scratch: u32) -> Answer {
+    if reading.rewrites.is_empty() {
+        let Some(network) = reading.networks.first() else { return Answer::Exact(Network::default()) };
+        let is_empty = statements.is_empty() && network.content == Content::Empty;
+        let difference = match is_empty {
+            true => Some(BTreeSet::new()),
+            false => compare::difference(statements, &write(network, scratch, &mut 0).statements, around),
+        };
+        match difference {
+            Some(codes) if codes.is_empty() => return Answer::Exact(reading.networks.swap_remove(0)),
+            Some(codes) => reading.rewrites = codes,
+            // Every statement was read for what it does: what is left are brackets and checks written in another way.
+            None => {
+                reading.rewrites.insert(Rewrite::Brackets);
+            }
+        }
+    }
+    let start = reading.starts.first().copied().unwrap_or(0);
+    match safe(reading, statements, around, scratch) {
+        Some(reading) => Answer::Equivalent(reading, None),
+        None => Answer::No(Refusal::new(Reason::Carried, start)),
+    }
+}
+
+/// The bits of local data that statements store.
+fn stored(statements: &[Statement], around: &dyn Surroundings) -> Vec<u32> {
+    statements.iter().filter(|one| one.mnemonic == "=").filter_map(|one| around.scratch(&one.operand)).collect()
+}
+
+/// The reading, if none of its rewrites can be seen from outside of the network; it says so if the bits of T-branches and pins are others
+/// when the diagrams are written.
+fn safe(mut reading: Reading, statements: &[Statement], around: &dyn Surroundings, scratch: u32) -> Option<Reading> {
+    let before = stored(statements, around);
+    let write_one = |network| stored(&write(network, scratch, &mut 0).statements, around);
+    let after: Vec<u32> = reading.networks.iter().flat_map(write_one).collect();
     if !before.is_empty() && before != after && !reading.rewrites.contains(&Rewrite::NamedBranch) {
         reading.rewrites.insert(Rewrite::Renumber);
     }
-    reading
-}
-
-/// The reading, if none of its rewrites can be seen from outside of the network.
-fn safe(reading: Reading, statements: &[Statement], around: &dyn Surroundings, scratch: u32) -> Option<Reading> {
     let has = |rewrite: Rewrite| reading.rewrites.contains(&rewrite);
     let parts: Vec<&[Statement]> = reading
         .starts
@@ -149,12 +140,7 @@ fn safe(reading: Reading, statements: &[Statement], around: &dyn Surroundings, s
     let branch_result =
         around.branch_result_matters() && (has(Rewrite::TwoMoves) || has(Rewrite::Brackets) && writes_branch_result(statements));
     // Bits of local data that something else reads stay where they are.
-    let stored = |statements: &[Statement]| -> Vec<u32> {
-        statements.iter().filter(|one| one.mnemonic == "=").filter_map(|one| around.scratch(&one.operand)).collect()
-    };
-    let mut bits = stored(statements);
-    bits.extend(reading.networks.iter().flat_map(|network| stored(&write(network, scratch, &mut 0).statements)));
-    let moved = has(Rewrite::Renumber) && bits.iter().any(|bit| around.is_read_elsewhere(*bit));
+    let moved = has(Rewrite::Renumber) && before.iter().chain(&after).any(|bit| around.is_read_elsewhere(*bit));
     let parted = has(Rewrite::Split) && parts.iter().any(|part| !reads_before_writing(part, around).is_empty());
     (!carried && !after_save && !branch_result && !moved && !parted).then_some(reading)
 }
@@ -164,14 +150,13 @@ pub fn carries(statements: &[Statement]) -> Option<bool> {
     // What is not named here leaves the string as it is.
     let step = |one: &Statement| match one.mnemonic {
         "=" | "S" | "R" | "CU" | "CD" | "SP" | "SE" | "SD" | "SS" | "SF" | "FR" | "JC" | "JCN" | "JNB" | "JCB" | "JU" | "BEC" | "BEU"
-        | "CC" | "UC" | "CALL" | "MCR(" | ")MCR" | "SET" | "CLR" | "O" => Some(false),
-        "A" | "AN" | "ON" | "X" | "XN" | ")" | "NOT" | "FP" | "FN" => Some(true),
+        | "CC" | "UC" | "CALL" | "MCR(" | ")MCR" | "SET" | "CLR" => Some(false),
+        // `O x` is a check, a bare `O` waits for one.
+        "A" | "AN" | "O" | "ON" | "X" | "XN" | ")" | "NOT" | "FP" | "FN" => Some(true),
         name if COMPARISONS.contains(&name) => Some(true),
         _ => None,
     };
-    // `O x` is a check, a bare `O` waits for one.
-    let check = |one: &Statement| if one.mnemonic == "O" { Some(true) } else { step(one) };
-    statements.iter().rev().find_map(check)
+    statements.iter().rev().find_map(step)
 }
 
 /// Something among the statements stores the branch result.

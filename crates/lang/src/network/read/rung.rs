@@ -8,6 +8,7 @@ use super::{Class, Mode, Surroundings};
 use crate::network::boxes::TimerKind;
 use crate::network::model::{Alone, Content, Element, End, Kind, Line, Network, OutputKind, Place, Rung};
 use crate::network::operand::Operand;
+use crate::network::pin_types::TypedPin;
 use crate::network::reasons::{Reason, Refusal, Rewrite};
 use crate::network::statement::Statement;
 
@@ -261,11 +262,12 @@ impl<'s> Reader<'s> {
     /// A rung; that of a T-branch begins with its line.
     fn rung(&mut self, tapped: Tapped) -> Read<Rung> {
         let (line, flow) = self.line(tapped, Inside::Rung)?;
-        let line = if tapped == Tapped::Yes { from_left(line) } else { line };
-        match flow {
-            Flow::Ended => Ok(Rung { line, end: End::Open }),
-            Flow::Goes => self.end(line, tapped),
-        }
+        let (line, tap) = if tapped == Tapped::Yes { from_left(line) } else { (line, Place::default()) };
+        let rung = match flow {
+            Flow::Ended => Rung::new(line, End::Open),
+            Flow::Goes => self.end(line, tapped)?,
+        };
+        Ok(Rung { tap, ..rung })
     }
 
     /// The right end of a rung.
@@ -295,14 +297,13 @@ impl<'s> Reader<'s> {
                 break;
             }
         }
-        if outputs.is_empty() { self.without_output(line) } else { Ok(Rung { line, end: End::Outputs(outputs) }) }
+        if outputs.is_empty() { self.without_output() } else { Ok(Rung::new(line, End::Outputs(outputs))) }
     }
 
-    fn without_output(&mut self, line: Line) -> Read<Rung> {
-        let ends_with_box = line.last().is_some_and(|one| one.kind.is_box());
+    fn without_output(&self) -> Read<Rung> {
         match self.peek() {
             ")" => self.here(Reason::Bracket),
-            "" if ends_with_box && self.rewriting() => Ok(Rung { line, end: End::Open }),
+            // Also after a box: its ENO or Q was checked, and the check goes on in the next network.
             "" => self.before(Reason::Logic),
             "L" | "T" | "CALL" | "UC" => self.here(Reason::Unconditional),
             name if TimerKind::of(name).is_some() => self.here(Reason::Order),
@@ -330,14 +331,30 @@ impl<'s> Reader<'s> {
                 let Some(next) = self.statement_at(self.at + 1).filter(|next| self.is_coil(2, &next.operand)) else { return Ok(None) };
                 let (name, value) = (next.operand.clone(), operand);
                 return Ok(match (TimerKind::of(next.mnemonic), next.mnemonic) {
-                    (Some(kind), _) => Some((OutputKind::Timer { kind, timer: name, value }, 2)),
-                    (None, "S") => Some((OutputKind::SetCounter { counter: name, value }, 2)),
+                    (Some(kind), _) => {
+                        self.fits(TypedPin::time_of_coil(kind), &value, self.at)?;
+                        Some((OutputKind::Timer { kind, timer: name, value }, 2))
+                    }
+                    (None, "S") => {
+                        self.fits(TypedPin::COUNT_OF_COIL, &value, self.at)?;
+                        Some((OutputKind::SetCounter { counter: name, value }, 2))
+                    }
                     _ => None,
                 });
             }
             _ => return Ok(None),
         };
         Ok(Some((kind, 1)))
+    }
+
+    /// Refuses an operand that a pin does not take, with the statement that has it.
+    pub(super) fn fits(&self, pin: TypedPin, operand: &Operand, at: usize) -> Read<()> {
+        let class = self.class(operand);
+        if pin.takes.takes(class) {
+            return Ok(());
+        }
+        let detail = format!("{} takes {}, and `{operand}` is {}", pin.shown(), pin.takes.describe(), class.describe());
+        Err(Refusal { detail, ..Refusal::new(Reason::Width, self.original(at)) })
     }
 
     /// What an operand is; addresses say it themselves.
@@ -416,7 +433,7 @@ impl<'s> Reader<'s> {
         if rungs.is_empty() || (bit.is_none() && read_later) {
             return self.refuse(Reason::BitLeft, stored);
         }
-        Ok(Rung { line, end: End::Branches(rungs) })
+        Ok(Rung::new(line, End::Branches(rungs)))
     }
 
     /// Logic and boxes, until an output, an end or the closing bracket.
@@ -451,12 +468,14 @@ impl<'s> Reader<'s> {
     }
 }
 
-/// A line that begins with the tapped one, and reads it nowhere else, has it at its left.
-fn from_left(mut line: Line) -> Line {
-    if let [Element { kind: Kind::Tap { negated: false }, .. }, rest @ ..] = line.as_slice()
-        && !crate::network::write::reads_tap(rest)
-    {
-        line.remove(0);
+/// A line that begins with the tapped one, and reads it nowhere else, has it at its left; and where it reads it there.
+fn from_left(mut line: Line) -> (Line, Place) {
+    match line.as_slice() {
+        [Element { kind: Kind::Tap { negated: false }, place }, rest @ ..] if !crate::network::write::reads_tap(rest) => {
+            let place = *place;
+            line.remove(0);
+            (line, place)
+        }
+        _ => (line, Place::default()),
     }
-    line
 }

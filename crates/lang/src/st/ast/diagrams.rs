@@ -7,9 +7,30 @@ use super::{Argument, Expression, Name};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Wire(pub u32);
 
+/// A network of a body that is a diagram, by its place there: from 1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct NetworkNumber(pub u32);
+
+impl std::fmt::Display for NetworkNumber {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "network {}", self.0)
+    }
+}
+
+/// A contact of a diagram, also one that watches for an edge.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Contact {
+    /// What it reads.
+    pub operand: Expression,
+    /// The network that it stands in.
+    pub network: NetworkNumber,
+}
+
 /// A box of a diagram: a function, an operator or a function block.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DiagramBox {
+    /// The network that it stands in.
+    pub network: NetworkNumber,
     /// What it is: `ADD`, `TON`, `Mixer`.
     pub of: Expression,
     /// The instance of a function block.

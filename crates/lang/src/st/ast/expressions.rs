@@ -1,6 +1,6 @@
 //! Expressions: operators, calls, addresses, constants.
 
-use super::{Name, Path, Wire};
+use super::{Contact, Name, Path, Wire};
 use sieben_model::literal::Value;
 use sieben_model::source::Span;
 
@@ -58,6 +58,8 @@ pub enum ExpressionKind {
     Assign(Box<Expression>, Box<Expression>),
     /// The value of a wire of a diagram.
     Wire(Wire),
+    /// What a contact of a diagram reads, which must be a BOOL.
+    Contact(Box<Contact>),
     /// Not understood; a diagnostic was given.
     Missing,
 }

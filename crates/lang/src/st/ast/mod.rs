@@ -19,7 +19,7 @@ pub use declarations::{
     Declaration, DeclaredName, Dimension, Edge, Initializer, InitializerKind, Location, Qualifier, SectionKind, TypeKind, TypeSpec,
     VarSection,
 };
-pub use diagrams::{DiagramBox, GoesOn, Wire};
+pub use diagrams::{Contact, DiagramBox, GoesOn, NetworkNumber, Wire};
 pub use expressions::{
     Address, AddressWidth, Area, Argument, BinaryOperator, Call, DataAddress, DateAndTimeForm, Direction, Expression, ExpressionKind,
     Literal, LiteralKind, Position, Slice, UnaryOperator,

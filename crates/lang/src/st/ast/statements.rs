@@ -1,6 +1,6 @@
 //! Statements.
 
-use super::{DiagramBox, Expression, Name, Wire};
+use super::{DiagramBox, Expression, Name, NetworkNumber, Wire};
 use sieben_model::source::Span;
 
 /// One statement.
@@ -134,6 +134,12 @@ pub enum AssignOperator {
     Reset,
     /// `REF=`: let a REFERENCE TO refer to the variable.
     Refer,
+    /// A coil of a diagram: `:=` to a BOOL.
+    Coil(NetworkNumber),
+    /// A set coil of a diagram: `S=`.
+    SetCoil(NetworkNumber),
+    /// A reset coil of a diagram: `R=`.
+    ResetCoil(NetworkNumber),
 }
 
 /// IF or ELSIF with its statements.

@@ -17,6 +17,7 @@ use crate::network::elements;
 use crate::st::ast::{
     self, Argument, Call, DiagramBox, Direction, Expression, ExpressionKind, GoesOn, Literal, LiteralKind, Name, Quoting, Wire,
 };
+use crate::st::diagrams::pins as standard_pins;
 use crate::st::dialect::Construct;
 use crate::st::standard;
 use crate::st::tree::{Place, Scalar, Statement, StatementKind, Value, ValueKind};
@@ -216,18 +217,9 @@ impl Checker<'_> {
         let mut pins = Pins::of(one, |name| is_flow(name, Some(&interface)));
         let pin = one.power_pin.as_ref().map(|pin| pin.text.clone()).or_else(|| power.map(|(input, _)| input.to_owned()));
         self.power_in(one, pin, &mut pins, span)?;
-        // A pin without a name is the next one.
+        let called = self.names.block_name(block);
+        self.name_inputs(&mut pins, &interface, &called)?;
         let given = |inputs: &[Argument], name: &str| inputs.iter().any(|input| input.name.as_ref().is_some_and(|one| one.is(name)));
-        let mut declared: Vec<_> = interface.parameters().filter(|formal| formal.section != Section::Return).collect();
-        declared.sort_by_key(|formal| formal.span.start);
-        for index in 0..pins.inputs.len() {
-            if pins.inputs[index].name.is_some() {
-                continue;
-            }
-            let takes = |section| matches!(section, Section::Input | Section::InOut);
-            let next = declared.iter().find(|formal| takes(formal.section) && !given(&pins.inputs, &formal.name));
-            pins.inputs[index].name = next.map(|formal| bare(&formal.name, pins.inputs[index].span));
-        }
         if let Some((input, _)) = power
             && !given(&pins.inputs, input)
         {
@@ -247,7 +239,7 @@ impl Checker<'_> {
         let mut otherwise = Vec::new();
         let mut after: Vec<(Expression, Expression)> = Vec::new();
         let enable = match &pins.enable {
-            Some(enable) => Some(self.condition(enable)?),
+            Some(enable) => Some(self.enable(enable, one.network)?),
             None => None,
         };
         if let (Some(wire), true) = (goes, wants_eno) {
@@ -309,6 +301,29 @@ impl Checker<'_> {
         Some(())
     }
 
+    /// Gives inputs without a name that of the next input of the interface.
+    fn name_inputs(&mut self, pins: &mut Pins, interface: &Interface, of: &str) -> Option<()> {
+        let takes = |section| matches!(section, Section::Input | Section::InOut);
+        let mut declared: Vec<_> = interface.parameters().filter(|formal| takes(formal.section)).collect();
+        declared.sort_by_key(|formal| formal.span.start);
+        for index in 0..pins.inputs.len() {
+            if pins.inputs[index].name.is_some() {
+                continue;
+            }
+            let is_given = |name: &str| pins.inputs.iter().any(|input| input.name.as_ref().is_some_and(|one| one.is(name)));
+            let Some(next) = declared.iter().find(|formal| !is_given(&formal.name)) else {
+                let (has, given) = (declared.len(), pins.inputs.len());
+                let message = format!("`{of}` takes {has} {}, and {given} are wired", if has == 1 { "input" } else { "inputs" });
+                let names: Vec<String> = declared.iter().map(|formal| format!("`{}`", formal.name)).collect();
+                let help = if names.is_empty() { "It has none.".to_owned() } else { format!("Its inputs are {}.", names.join(", ")) };
+                self.report(Problem::P3009, pins.inputs[index].span, message).help = Some(help);
+                return None;
+            };
+            pins.inputs[index].name = Some(bare(&next.name, pins.inputs[index].span));
+        }
+        Some(())
+    }
+
     /// A function or an operator.
     fn function_box(&mut self, one: &DiagramBox, span: Span) -> Option<StatementKind> {
         let called = self.quietly(|checker| checker.called(&one.of));
@@ -332,7 +347,18 @@ impl Checker<'_> {
             ExpressionKind::Name(name) => name.text.clone(),
             _ => String::new(),
         };
-        pins.split_result(&own, interface.as_deref());
+        let provided = interface.is_none().then(|| standard_pins::Pins::of_standard(&own, self.dialect)).flatten();
+        let found = |name: &Name| interface.as_ref().and_then(|interface| interface.variable(&name.text));
+        let is_output = |name: &Name| match &provided {
+            Some(provided) => provided.has_output(&name.text),
+            None => found(name).is_some_and(|variable| matches!(variable.section, Section::Output | Section::InOut)),
+        };
+        // Of functions without an interface only some names of pins are known.
+        pins.split_result(&own, is_output, |name| interface.is_none() || found(name).is_some());
+        // Inputs by position beside outputs by name: not every dialect has that in a call, and every box does.
+        if let Some(interface) = &interface {
+            self.name_inputs(&mut pins, interface, &own)?;
+        }
         let mut arguments = pins.inputs.clone();
         arguments.extend(pins.outputs.iter().cloned());
         let plain = Call { callee: one.of.clone(), arguments };
@@ -366,7 +392,7 @@ impl Checker<'_> {
             return None;
         }
         let enable = match &pins.enable {
-            Some(enable) => Some(self.condition(enable)?),
+            Some(enable) => Some(self.enable(enable, one.network)?),
             None => None,
         };
         // ENO goes to a place of its own first.
@@ -383,7 +409,14 @@ impl Checker<'_> {
         if let Some(first) = told.first().filter(|_| is_own) {
             arguments.push(delivered(ENO, first.clone(), span));
         }
-        let call = value(arguments);
+        // MOVE hands on what it gets, also a constant that has its type from where it goes.
+        let moved = match (pins.inputs.as_slice(), &called) {
+            ([only], Called::Standard(_)) if own.eq_ignore_ascii_case("MOVE") && !goes_result && pins.outputs.is_empty() => {
+                only.value.clone().filter(|_| only.name.as_ref().is_none_or(|name| name.is("IN")))
+            }
+            _ => None,
+        };
+        let call = moved.unwrap_or_else(|| value(arguments));
         let (body, mut otherwise) = self.results(one, &pins, &call, has_result && result != Typed::Poison, goes_result, span)?;
         let mut all = Vec::new();
         match told.first() {
@@ -548,11 +581,7 @@ impl Pins {
     }
 
     /// The result apart from the other outputs: it has no name, that of the function, or OUT.
-    fn split_result(&mut self, own: &str, interface: Option<&Interface>) {
-        let is_output = |name: &Name| {
-            let found = interface.and_then(|interface| interface.variable(&name.text));
-            found.is_some_and(|variable| matches!(variable.section, Section::Output | Section::InOut))
-        };
+    fn split_result(&mut self, own: &str, is_output: impl Fn(&Name) -> bool, is_known: impl Fn(&Name) -> bool) {
         for mut output in std::mem::take(&mut self.outputs) {
             let Some(name) = &output.name else {
                 self.results.extend(output.value);
@@ -562,9 +591,7 @@ impl Pins {
                 self.outputs.push(output);
             } else if name.is(RESULT) || name.is(own) {
                 self.results.extend(output.value);
-            } else if interface.is_some_and(|interface| interface.variable(&name.text).is_none())
-                || interface.is_none() && self.by_position()
-            {
+            } else if !is_known(name) || self.by_position() {
                 // `ADD a, b => c`: what stands before the arrow is the last input.
                 let value = Expression { kind: ExpressionKind::Name(name.clone()), span: name.span };
                 let span = value.span;

@@ -60,6 +60,7 @@ impl Checker<'_> {
             | ExpressionKind::Dereference(_)
             | ExpressionKind::Slice(..)
             | ExpressionKind::Wire(_)
+            | ExpressionKind::Contact(_)
             | ExpressionKind::DataAddress(_) => match self.reach(expression) {
                 Reached::Target(target) => self.load(target),
                 Reached::Other(typed) => typed,

@@ -4,6 +4,7 @@ mod arguments;
 mod as_bytes;
 mod calls;
 pub mod construct;
+mod contacts;
 mod diagrams;
 mod expressions;
 mod flow;

@@ -56,6 +56,7 @@ impl Checker<'_> {
             ExpressionKind::Slice(base, slice) => self.slice(base, slice, span),
             ExpressionKind::Parenthesized(inner) => self.reach(inner),
             ExpressionKind::Wire(wire) => self.of_wire(*wire, span),
+            ExpressionKind::Contact(contact) => self.contact(contact),
             ExpressionKind::This => match self.this(span) {
                 Some(target) => Reached::Target(target),
                 None => POISON,

@@ -214,7 +214,19 @@ impl Checker<'_> {
             AssignOperator::Multiply => BinaryOperator::Multiply,
             AssignOperator::Divide => BinaryOperator::Divide,
             AssignOperator::Attempt => return self.attempt(last, value, span),
-            AssignOperator::Set | AssignOperator::Reset => return self.set(last, operator, value, span),
+            AssignOperator::Set => return self.set(last, true, value, span),
+            AssignOperator::Reset => return self.set(last, false, value, span),
+            AssignOperator::Coil(network) | AssignOperator::SetCoil(network) | AssignOperator::ResetCoil(network) => {
+                if !self.is_bit_of_coil(last, network) {
+                    self.for_nothing(value);
+                    return None;
+                }
+                return match operator {
+                    AssignOperator::SetCoil(_) => self.set(last, true, value, span),
+                    AssignOperator::ResetCoil(_) => self.set(last, false, value, span),
+                    _ => self.assign(last, value, span),
+                };
+            }
             AssignOperator::Refer => return self.refer(last, value, span),
         };
         // `a += b` is `a := a + b`.
@@ -225,7 +237,7 @@ impl Checker<'_> {
     }
 
     /// `x S= c`, `x R= c`.
-    fn set(&mut self, target: &Expression, operator: AssignOperator, value: &Expression, span: Span) -> Option<StatementKind> {
+    fn set(&mut self, target: &Expression, bit: bool, value: &Expression, span: Span) -> Option<StatementKind> {
         let condition = self.condition(value);
         let target = self.target(target)?;
         if target.data_type != DataType::Bool {
@@ -233,8 +245,7 @@ impl Checker<'_> {
             self.report(Problem::P6200, target.place.span, message);
             return None;
         }
-        let bit = u64::from(operator == AssignOperator::Set);
-        let value = Value { kind: ValueKind::Constant(bit), scalar: Scalar::Bool, span };
+        let value = Value { kind: ValueKind::Constant(u64::from(bit)), scalar: Scalar::Bool, span };
         let assign = Statement { kind: StatementKind::Assign { target: target.place, value }, span };
         Some(StatementKind::If { branches: vec![(condition?, vec![assign])], otherwise: Vec::new() })
     }

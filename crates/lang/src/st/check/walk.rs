@@ -105,6 +105,7 @@ pub(super) fn expression(outer: &Expression, see: &mut dyn FnMut(&Expression)) {
         | ExpressionKind::Slice(inner, _)
         | ExpressionKind::Unary(_, inner)
         | ExpressionKind::Parenthesized(inner) => expression(inner, see),
+        ExpressionKind::Contact(contact) => expression(&contact.operand, see),
         ExpressionKind::Index(inner, indexes) => {
             expression(inner, see);
             indexes.iter().for_each(|index| expression(index, see));

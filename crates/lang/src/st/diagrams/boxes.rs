@@ -5,6 +5,7 @@ use sieben_model::problems::Problem;
 use sieben_model::source::Span;
 
 use super::lower::{Lowering, Tall, Value, has_effects};
+use crate::network::boxes::PowerPins;
 use crate::network::model::{NamedBox, Place};
 use crate::network::operand::Operand;
 use crate::st::ast::{Argument, DiagramBox, Direction, Expression, ExpressionKind, GoesOn, Name, StatementKind, UnaryOperator};
@@ -46,7 +47,7 @@ impl Lowering<'_, '_> {
         let of = self.name_of_box(&one.name, place);
         let instance = one.instance.as_ref().map(|instance| self.operand(instance, place));
         if let Some(instance) = one.instance.as_ref().filter(|_| !one.inputs.is_empty() || power.is_some()) {
-            self.calls_once(instance, span);
+            self.calls_once(&one.name, instance, span);
         }
         let (power_pin, flow) = (one.power.as_ref().map(|pin| self.name(pin, span)), one.flow.as_ref().map(|pin| self.name(pin, span)));
         let goes_on = match goes {
@@ -55,7 +56,7 @@ impl Lowering<'_, '_> {
             Goes::Value => GoesOn::Value(self.wire()),
         };
         let power = power.map(|power| power.expression);
-        let written = DiagramBox { of, instance, power, power_pin, inputs, outputs, flow, goes_on };
+        let written = DiagramBox { network: self.number, of, instance, power, power_pin, inputs, outputs, flow, goes_on };
         self.put(StatementKind::Box(Box::new(written)), span);
         goes_on.wire().map(|wire| Tall::flat(Expression { kind: ExpressionKind::Wire(wire), span }))
     }
@@ -71,21 +72,37 @@ impl Lowering<'_, '_> {
         Expression { kind: ExpressionKind::Name(name), span }
     }
 
-    /// Warns where a second box of the network calls the same instance.
-    fn calls_once(&mut self, instance: &Operand, span: Span) {
+    /// Warns where a second box calls the same instance. In another network only timers, counters, edges and flip-flops: they keep what
+    /// the first call left.
+    fn calls_once(&mut self, name: &Operand, instance: &Operand, span: Span) {
         let place = self.span_of(instance, span);
-        if let Some(first) = self.called.insert(instance.text.to_uppercase(), place) {
-            let message = format!("`{instance}` is called twice in this network");
-            let help = "Declare an instance for each box, or draw one of them in a network of its own.";
-            let mut diagnostic = Diagnostic::new(Problem::P2443, place, message).help(help);
-            diagnostic.related.push((first, "first called here".to_owned()));
-            self.diagnostics.push(diagnostic);
+        // An index may lead to another element each time.
+        let is_one = !instance.split('[').skip(1).any(|index| index.chars().any(char::is_alphabetic));
+        let first = *self.called.entry(instance.text.to_uppercase()).or_insert((place, self.number));
+        let elsewhere = first.1 != self.number && is_one && PowerPins::of(name).is_some();
+        if first.0 == place || first.1 != self.number && !elsewhere {
+            return;
         }
+        let where_first = if elsewhere { format!(", first in {}", first.1) } else { String::new() };
+        let message = format!("{}: `{instance}` is called twice{where_first}", self.number);
+        let help = match elsewhere {
+            true => "Declare an instance for each box, or read the outputs of the first one.",
+            false => "Declare an instance for each box, or draw one of them in a network of its own.",
+        };
+        let mut diagnostic = Diagnostic::new(Problem::P2443, place, message).help(help);
+        diagnostic.related.push((first.0, "first called here".to_owned()));
+        self.diagnostics.push(diagnostic);
     }
 
     /// What is wired to a pin: a value of any type if one element makes it, else a line.
     fn pin(&mut self, line: &crate::network::model::Line) -> Value {
         use crate::network::model::Kind;
+        if let [only] = line.as_slice()
+            && let Kind::Contact { operand, negated } = &only.kind
+        {
+            // A variable or a constant of any type.
+            return Some(self.wired(operand, *negated, only.place));
+        }
         if let Some((last, before)) = line.split_last()
             && let Kind::Named(one) = &last.kind
         {

@@ -15,8 +15,8 @@ use crate::network::model::{Alone, Branch as Parallel, Content, Element, End, Ki
 use crate::network::operand::Operand;
 use crate::network::write::reads_tap;
 use crate::st::ast::{
-    AssignOperator, BinaryOperator, Branch, Expression, ExpressionKind, Literal, LiteralKind, Name, Quoting, Statement, StatementKind,
-    UnaryOperator, Wire,
+    AssignOperator, BinaryOperator, Branch, Contact, Expression, ExpressionKind, Literal, LiteralKind, Name, NetworkNumber, Quoting,
+    Statement, StatementKind, UnaryOperator, Wire,
 };
 use crate::st::dialect::Dialect;
 use crate::st::parser::fragment;
@@ -64,10 +64,12 @@ pub(in crate::st) struct Lowering<'t, 'n> {
     out: Lowered,
     /// Where statements go.
     pub(super) statements: Vec<Statement>,
+    /// The network that is read.
+    pub(super) number: NetworkNumber,
     /// The wires of the network.
     wires: u32,
-    /// The instances that its boxes call.
-    pub(super) called: HashMap<String, Span>,
+    /// The instances that boxes of the body call: where each was called first.
+    pub(super) called: HashMap<String, (Span, NetworkNumber)>,
     /// The line that the innermost T-branch taps.
     tap: Value,
     depth: usize,
@@ -91,6 +93,7 @@ impl<'t, 'n> Lowering<'t, 'n> {
             diagnostics,
             out,
             statements,
+            number: NetworkNumber(0),
             wires: 0,
             called: HashMap::new(),
             tap: None,
@@ -113,13 +116,13 @@ impl<'t, 'n> Lowering<'t, 'n> {
         }
         for written in networks {
             self.language = written.language;
+            self.number.0 += 1;
             self.network(&written.network, written.place);
         }
     }
 
     fn network(&mut self, network: &Network, place: Place) {
         self.wires = 0;
-        self.called.clear();
         self.tap = None;
         if let Some(label) = &network.label {
             let name = self.label(label, self.span(place));
@@ -140,8 +143,9 @@ impl<'t, 'n> Lowering<'t, 'n> {
         Span::new(self.source.file, first, last.max(first))
     }
 
-    pub(super) fn report(&mut self, problem: Problem, span: Span, message: impl Into<String>, help: &str) {
-        self.diagnostics.push(Diagnostic::new(problem, span, message).help(help));
+    /// A message about an element; it names the network.
+    pub(super) fn report(&mut self, problem: Problem, span: Span, message: impl std::fmt::Display, help: &str) {
+        self.diagnostics.push(Diagnostic::new(problem, span, format!("{}: {message}", self.number)).help(help));
     }
 
     /// Refuses an element of the S7.
@@ -178,6 +182,26 @@ impl<'t, 'n> Lowering<'t, 'n> {
         let (expression, mut diagnostics) = fragment(self.source, start, end, self.declared);
         self.diagnostics.append(&mut diagnostics);
         expression
+    }
+
+    /// A variable that is wired to a pin.
+    pub(super) fn wired(&mut self, operand: &Operand, negated: bool, place: Place) -> Tall {
+        let mut read = Some(Tall::flat(self.operand(operand, place)));
+        if calls(operand) {
+            self.settle(&mut read);
+        }
+        let read = self.or_true(read, self.span(place));
+        self.circled(negated, read)
+    }
+
+    /// What a contact reads: a BOOL.
+    fn contact(&mut self, operand: &Operand, place: Place) -> Tall {
+        let operand = self.operand(operand, place);
+        let span = operand.span;
+        if matches!(operand.kind, ExpressionKind::Missing | ExpressionKind::Literal(Literal { kind: LiteralKind::Bool(_), .. })) {
+            return Tall::flat(operand);
+        }
+        Tall::flat(Expression { kind: ExpressionKind::Contact(Box::new(Contact { operand, network: self.number })), span })
     }
 
     /// The place of an operand.
@@ -322,19 +346,20 @@ impl<'t, 'n> Lowering<'t, 'n> {
             self.report(Problem::P2441, span, "nothing is wired to this coil", "Draw what it is to be assigned before it.");
             return;
         }
+        let coil = AssignOperator::Coil(self.number);
         match &output.kind {
-            OutputKind::Assign(operand) => self.assign(operand, AssignOperator::Becomes, value, place),
+            OutputKind::Assign(operand) => self.assign(operand, coil, value, place),
             OutputKind::AssignNegated(operand) => {
                 let value = self.or_true(value, span);
                 let value = self.not(value);
-                self.assign(operand, AssignOperator::Becomes, Some(value), place);
+                self.assign(operand, coil, Some(value), place);
             }
             OutputKind::AssignEdge { falling, operand } => {
                 let edge = self.edge(value, *falling, None, place);
-                self.assign(operand, AssignOperator::Becomes, edge, place);
+                self.assign(operand, coil, edge, place);
             }
-            OutputKind::Set(operand) => self.assign(operand, AssignOperator::Set, value, place),
-            OutputKind::Reset(operand) => self.assign(operand, AssignOperator::Reset, value, place),
+            OutputKind::Set(operand) => self.assign(operand, AssignOperator::SetCoil(self.number), value, place),
+            OutputKind::Reset(operand) => self.assign(operand, AssignOperator::ResetCoil(self.number), value, place),
             OutputKind::Return => self.under(value, StatementKind::Return, span),
             OutputKind::Jump(label) => self.jump(label, value, span),
             OutputKind::JumpNot(label) => {
@@ -398,7 +423,7 @@ impl<'t, 'n> Lowering<'t, 'n> {
                 if calls(operand) {
                     self.settle(&mut value);
                 }
-                let mut read = Some(Tall::flat(self.operand(operand, place)));
+                let mut read = Some(self.contact(operand, place));
                 if calls(operand) {
                     self.settle(&mut read);
                 }
@@ -428,7 +453,7 @@ impl<'t, 'n> Lowering<'t, 'n> {
             }
             Kind::EdgeBox { falling, operand, memory } => {
                 self.settle(&mut value);
-                let watched = Some(Tall::flat(self.operand(operand, place)));
+                let watched = Some(self.contact(operand, place));
                 let edge = self.edge(watched, *falling, memory.as_ref(), place);
                 let edge = self.or_true(edge, span);
                 self.and(value, edge)
@@ -439,7 +464,7 @@ impl<'t, 'n> Lowering<'t, 'n> {
             }
             Kind::Midline { operand, negated } => {
                 self.settle(&mut value);
-                self.assign(operand, AssignOperator::Becomes, value.clone(), place);
+                self.assign(operand, AssignOperator::Coil(self.number), value.clone(), place);
                 match negated {
                     true => {
                         let value = self.or_true(value, span);

@@ -75,6 +75,11 @@ impl Pins {
         is_common.then_some(Self { result, ..first })
     }
 
+    /// Whether an output has this name.
+    pub fn has_output(&self, name: &str) -> bool {
+        self.outputs.iter().any(|output| output.eq_ignore_ascii_case(name))
+    }
+
     /// An input by its place: after the last one it is counted on where that is so.
     fn input(&self, index: usize) -> Option<String> {
         if let Some(name) = self.inputs.get(index) {

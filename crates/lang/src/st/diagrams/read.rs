@@ -9,7 +9,7 @@ use super::Language;
 use crate::network::flavour::{Drawing, Flavour};
 use crate::network::form_a;
 use crate::network::mistake::Mistake;
-use crate::network::model::{Network, Place};
+use crate::network::model::{Content, Network, Place};
 use crate::network::{form_b, rules};
 
 /// A network of a body.
@@ -52,7 +52,7 @@ pub(in crate::st) fn networks(text: &str, body: Range<usize>, language: Language
         let language = part.language.unwrap_or(language);
         if form_a::is_form_a(&text[part.elements.clone()], Flavour::Iec) {
             let parsed = form_a::parse(text, part.elements.start, part.elements.end, Flavour::Iec);
-            read.mistakes.extend(parsed.mistakes);
+            read.report(parsed.mistakes);
             let place = if part.head.is_empty() { &part.elements } else { &part.head };
             read.add(parsed.network, language, Place::new(place.start, place.end));
         } else {
@@ -63,8 +63,15 @@ pub(in crate::st) fn networks(text: &str, body: Range<usize>, language: Language
 }
 
 impl Read {
+    /// What is wrong with the next network.
+    fn report(&mut self, mistakes: Vec<Mistake>) {
+        let number = self.networks.len() + 1;
+        self.mistakes
+            .extend(mistakes.into_iter().map(|mistake| Mistake { message: format!("network {number}: {}", mistake.message), ..mistake }));
+    }
+
     fn add(&mut self, network: Network, language: Language, place: Place) {
-        self.mistakes.extend(rules::mistakes(&network, Flavour::Iec, Some(language.drawing())));
+        self.report(rules::mistakes(&network, Flavour::Iec, Some(language.drawing())));
         self.networks.push(Written { network, language, place });
     }
 
@@ -96,7 +103,13 @@ impl Read {
                 let place = head.unwrap_or(from..to);
                 self.add(network, language, Place::new(place.start, place.end));
             }
-            Err(mistake) => self.mistakes.push(mistake),
+            Err(mistake) => {
+                self.report(vec![mistake]);
+                // Those after it keep their numbers.
+                let place = head.unwrap_or(from..to);
+                let network = Network { label: None, content: Content::Empty };
+                self.networks.push(Written { network, language, place: Place::new(place.start, place.end) });
+            }
         }
     }
 }
@@ -112,16 +125,7 @@ fn without_comment_in_place(line: &str) -> String {
 
 /// A line up to its comment.
 fn without_comment(line: &str) -> &str {
-    let mut quoted = None;
-    for (at, sign) in line.char_indices() {
-        match quoted {
-            Some(quote) => quoted = Some(quote).filter(|&quote| quote != sign),
-            None if matches!(sign, '"' | '\'') => quoted = Some(sign),
-            None if line[at..].starts_with("//") => return &line[..at],
-            None => {}
-        }
-    }
-    line
+    &line[..form_a::comment_start(line).unwrap_or(line.len())]
 }
 
 impl Language {

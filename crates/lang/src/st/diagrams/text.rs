@@ -35,7 +35,9 @@ impl BodyBegins {
             // The body of a block may stand after its members.
             Some(Keyword::EndMethod | Keyword::EndAction | Keyword::EndProperty) => Self::Here,
             Some(Keyword::Action) => Self::InAction,
-            Some(keyword) if keyword.begins_block() || keyword == Keyword::Method => Self::InHead,
+            Some(keyword) if keyword.begins_block() || matches!(keyword, Keyword::Method | Keyword::Property) => Self::InHead,
+            // SET may follow, which is no keyword.
+            Some(Keyword::EndGet | Keyword::EndSet) => Self::InHead,
             Some(keyword) if *self != Self::InSection && (keyword.begins_statement() || keyword.is_end()) => Self::No,
             _ => match (*self, token.raw) {
                 (Self::InSection | Self::No, _) => *self,

@@ -34,12 +34,10 @@ use sieben_model::source::Span;
 
 use super::tree::{Body, Scalar};
 use crate::coverage::Countable;
+use crate::declarations::interface::START_INFORMATION_BYTES;
 use hidden::Hidden;
 use private::Seen;
 use sieben_model::address::{Area, Width};
-
-/// Bytes of start information in the local data of an organization block.
-const START_INFORMATION_BYTES: u32 = 20;
 
 /// More local data than any CPU has: a block that needs more cannot be entered.
 const LOCAL_BYTES_MAX: u32 = 1 << 20;

@@ -260,6 +260,7 @@ impl Parser<'_> {
 
     fn accessor_inside(&mut self, start: u32, end: Keyword) -> Accessor {
         let (mut sections, mut body) = (Vec::new(), Vec::new());
+        let owner = self.owner.take();
         loop {
             // Without END_GET, SET begins the next accessor and END_PROPERTY ends it.
             let next =
@@ -271,9 +272,11 @@ impl Parser<'_> {
                     sections.push(section);
                 }
                 _ if self.at_body_end() => break,
+                _ if self.raw() == Raw::DiagramWord => self.diagram_into(&mut body, &mut Vec::new()),
                 _ => self.statement_into(&mut body),
             }
         }
+        self.owner = owner;
         if self.eat_keyword(end) {
             self.eat(Raw::Semicolon, SyntaxKind::Semicolon);
         }

@@ -4,10 +4,10 @@ use sieben_model::address::Width;
 use sieben_model::diagnostic::Diagnostic;
 use sieben_model::literal::Value;
 use sieben_model::problems::Problem;
-use sieben_model::source::Span;
 use sieben_model::types::DataType;
 
 use super::flow;
+use super::pins::Wired;
 use crate::stl::instructions::Instruction as I;
 use crate::stl::lower::Statement;
 use crate::stl::operands::Operand;
@@ -38,19 +38,29 @@ const NOTHING: Held = Held { kind: Kind::Any, constant: None, from: 0 };
 
 type Accumulators = [Held; 4];
 
-/// Reports instructions that take the value in an accumulator for one of another type. `types` are the declared types of the operands.
-pub(super) fn check(statements: &[Statement], types: &[Option<DataType>], four: bool, diagnostics: &mut Vec<Diagnostic>) {
+/// What is known of the operands of the statements.
+pub(super) struct Operands {
+    /// The declared type of each.
+    pub(super) types: Vec<Option<DataType>>,
+    /// The pin of a diagram that each is wired to.
+    pub(super) wired: Vec<Option<Wired>>,
+}
+
+/// Reports instructions that take the value in an accumulator for one of another type.
+pub(super) fn check(statements: &[Statement], operands: &Operands, four: bool, diagnostics: &mut Vec<Diagnostic>) {
+    let Operands { types, wired } = operands;
     let step = |index: usize, held: &Accumulators| after(index, &statements[index], types[index].as_ref(), *held, four);
     let states = flow::states(statements, [NOTHING; 4], step, join);
     for (index, (statement, state)) in statements.iter().zip(states).enumerate() {
         let Some(held) = state else { continue };
-        if let Some((message, other)) = wrong(statement, types[index].as_ref(), &held, statements) {
-            let mut diagnostic = Diagnostic::new(Problem::P4022, statement.span(), message);
-            if let Some(from) = other {
-                diagnostic = diagnostic.related(from, "loaded here");
-            }
-            diagnostics.push(diagnostic);
-        }
+        let Some(Wrong { message, holds, from }) = wrong(statement, types[index].as_ref(), &held) else { continue };
+        // In a diagram pins have names, and accumulators are not seen.
+        let pin = wired[index].map(|pin| pin.gives(holds)).or_else(|| Some(wired.get(from).copied()??.holds(holds)));
+        let diagnostic = Diagnostic::new(Problem::P4022, statement.span(), pin.clone().unwrap_or(message));
+        diagnostics.push(match statements.get(from) {
+            Some(from) if pin.is_none() => diagnostic.related(from.span(), "loaded here"),
+            _ => diagnostic,
+        });
     }
 }
 
@@ -86,15 +96,18 @@ fn operands(instruction: I) -> Option<(Kind, bool)> {
     }
 }
 
-/// What is wrong with a statement, and where the value comes from.
-fn wrong(
-    statement: &Statement,
-    declared: Option<&DataType>,
-    held: &Accumulators,
-    statements: &[Statement],
-) -> Option<(String, Option<Span>)> {
+/// What is wrong with a statement.
+struct Wrong {
+    message: String,
+    /// What the accumulator holds.
+    holds: &'static str,
+    /// The statement that the value comes from.
+    from: usize,
+}
+
+fn wrong(statement: &Statement, declared: Option<&DataType>, held: &Accumulators) -> Option<Wrong> {
     let word = statement.instruction.english();
-    let from = |value: &Held| statements.get(value.from).map(Statement::span);
+    let first = |holds, message: String| Some(Wrong { message, holds, from: held[0].from });
     if let Some((wanted, two)) = operands(statement.instruction) {
         let used = if two { &held[..2] } else { &held[..1] };
         for (index, value) in used.iter().enumerate() {
@@ -104,20 +117,21 @@ fn wrong(
                     Kind::DoubleInt => "32-bit integers",
                     _ => "REAL numbers",
                 };
-                return Some((format!("`{word}` works with {works}, but ACCU {} holds {what}", index + 1), from(value)));
+                let message = format!("`{word}` works with {works}, but ACCU {} holds {what}", index + 1);
+                return Some(Wrong { message, holds: what, from: value.from });
             }
         }
     }
     match (statement.instruction, declared.map(kind)) {
         (I::Transfer, Some(Kind::Real)) if held[0].kind == Kind::Int || held[0].kind == Kind::DoubleInt => {
             let zero = held[0].constant == Some(0);
-            (!zero).then(|| ("the variable is a REAL, but ACCU 1 holds an integer".to_owned(), from(&held[0])))
+            if zero { None } else { first("an integer", "the variable is a REAL, but ACCU 1 holds an integer".to_owned()) }
         }
         (I::Transfer, Some(Kind::Int | Kind::DoubleInt)) if held[0].kind == Kind::Real && held[0].constant != Some(0) => {
-            Some(("the variable is an integer, but ACCU 1 holds a REAL".to_owned(), from(&held[0])))
+            first("a REAL", "the variable is an integer, but ACCU 1 holds a REAL".to_owned())
         }
         (I::AddIntConstant | I::AddDoubleConstant, _) if held[0].kind == Kind::Real => {
-            Some((format!("`{word}` adds an integer, but ACCU 1 holds a REAL"), from(&held[0])))
+            first("a REAL", format!("`{word}` adds an integer, but ACCU 1 holds a REAL"))
         }
         _ => None,
     }

@@ -163,6 +163,7 @@ impl Parser<'_> {
         self.declared.clear();
         self.comments.clear();
         self.generated_labels = 0;
+        self.memories.clear();
         let keyword_place = self.bump(SyntaxKind::Keyword);
         self.blanks();
         let name = self.block_name(keyword, kind);

@@ -14,14 +14,16 @@ use super::blocks::{Keyword, keyword_of};
 use crate::network::flavour::{Drawing, Flavour};
 use crate::network::form_a;
 use crate::network::form_b;
+use crate::network::memories::memories;
 use crate::network::mistake::{Mistake, MistakeKind};
 use crate::network::model::{Content, Network};
-use crate::network::operand::{Operand as Written, STATUS_BITS};
+use crate::network::operand::Operand as Written;
 use crate::network::statement::Statement;
 use crate::network::{rules, write};
 use crate::stl::ast::{self, Argument, Block, Call, Constant, Operand, Word};
+use crate::stl::instructions::Instruction;
 use crate::stl::lexer::Raw;
-use crate::stl::mnemonics::{NOTATIONS, translate_instruction, translate_status};
+use crate::stl::mnemonics::{NOTATIONS, instruction_in, status_in};
 use crate::stl::syntax::SyntaxKind;
 
 /// Operands of a diagram that were read, by their first byte.
@@ -73,9 +75,18 @@ impl Parser<'_> {
         let start = self.position;
         self.bump_to(SyntaxKind::Diagram, to);
         let under_network = !block.networks.is_empty();
+        if let Some(length) = statement_of_stl(self.slice(start, to), self.mnemonics) {
+            let message = format!("{} network {}: statements of STL stand here", drawing.word(), block.networks.len().max(1));
+            let help = "begin the network with `NETWORK STL`";
+            self.report(Diagnostic::new(Problem::P2409, self.span(start, start + length), message).help(help));
+            return;
+        }
         if form_a::is_form_a(self.slice(from, to), Flavour::S7) {
             let parsed = form_a::parse(self.text, from, to, Flavour::S7);
             let read = if parsed.mistakes.is_empty() { Read::Whole } else { Read::InPart };
+            if !under_network {
+                self.network_without_head(block, drawing, start);
+            }
             parsed.mistakes.into_iter().for_each(|mistake| self.mistake(mistake, drawing, block));
             self.network_of(block, &parsed.network, drawing, read);
             return;
@@ -84,10 +95,7 @@ impl Parser<'_> {
         let mut first = true;
         for (line_start, line) in one_line_networks(self.text, start, to, under_network) {
             if !first || !under_network {
-                let span = self.span(line_start, line_start);
-                let network =
-                    ast::Network { first_statement: block.statements.len(), drawing: Some(drawing), span, ..ast::Network::default() };
-                block.networks.push(network);
+                self.network_without_head(block, drawing, line_start);
             }
             first = false;
             match form_b::parse(&line, line_start, Flavour::S7) {
@@ -95,6 +103,12 @@ impl Parser<'_> {
                 Err(mistake) => self.mistake(mistake, drawing, block),
             }
         }
+    }
+
+    /// A network that begins with its first line.
+    fn network_without_head(&self, block: &mut Block, drawing: Drawing, start: usize) {
+        let (first_statement, span) = (block.statements.len(), self.span(start, start));
+        block.networks.push(ast::Network { first_statement, drawing: Some(drawing), span, ..ast::Network::default() });
     }
 
     /// Where the lines of a diagram end: before the line that begins another network or ends the block, without the empty lines and comments before it.
@@ -137,11 +151,33 @@ impl Parser<'_> {
         if network.content == Content::Empty && network.label.is_none() {
             return;
         }
+        self.remembers(network, drawing, block);
         let written = write::write(network, 0, &mut self.generated_labels);
         let mut read = Operands::new();
-        for statement in written.statements {
+        for (statement, pin) in written.statements.into_iter().zip(written.pins) {
             let statement = self.statement_of(&statement, &mut read);
             block.statements.push(statement);
+            if let Some(network) = block.networks.last_mut() {
+                network.pins.push(pin);
+            }
+        }
+    }
+
+    /// Warns where a second element uses a timer, a counter or an edge memory.
+    fn remembers(&mut self, network: &Network, drawing: Drawing, block: &Block) {
+        let number = block.networks.len().max(1);
+        for (memory, operand, place) in memories(network) {
+            let span = self.span(place.first as usize, place.last as usize);
+            let name: String = operand.chars().filter(|sign| !sign.is_whitespace()).flat_map(char::to_uppercase).collect();
+            let key = (memory, name);
+            let Some(&(first, network)) = self.memories.get(&key) else {
+                self.memories.insert(key, (span, number));
+                continue;
+            };
+            let message = format!("{} network {number}: {}, first used in network {network}", drawing.word(), memory.used_twice(operand));
+            let mut diagnostic = Diagnostic::new(Problem::P2443, span, message).help(memory.instead());
+            diagnostic.related.push((first, "first used here".to_owned()));
+            self.report(diagnostic);
         }
     }
 
@@ -157,11 +193,7 @@ impl Parser<'_> {
             None => self.span(statement.place.first as usize, statement.place.last as usize),
         };
         let label = statement.label.as_ref().map(|label| self.label_word(label, span));
-        let word = match self.mnemonics {
-            Mnemonics::English => statement.mnemonic,
-            Mnemonics::German => translate_instruction(statement.mnemonic, Mnemonics::English).unwrap_or(statement.mnemonic),
-        };
-        let mnemonic = Word { text: word.to_owned(), span };
+        let mnemonic = Word { text: instruction_in(statement.mnemonic, self.mnemonics).to_owned(), span };
         let (operand, operand_span) = match statement.mnemonic {
             "CALL" => (self.call_of(statement, span, read), span),
             "JU" | "JC" | "JCN" | "JNB" => {
@@ -212,17 +244,13 @@ impl Parser<'_> {
         if text.is_empty() {
             return Operand::None;
         }
-        if let Some(bit) = scratch_number(text) {
+        if let Some(bit) = write::scratch_number(text) {
             return Operand::Scratch { bit };
         }
         if let Ok(number) = text.parse::<i16>() {
             return Operand::Constant(Constant { value: Some(sieben_model::literal::Value::Int(number)), extended: false, span });
         }
-        let text = match self.mnemonics {
-            Mnemonics::German if STATUS_BITS.contains(&text) => translate_status(text, Mnemonics::English).unwrap_or(text),
-            _ => text,
-        };
-        Operand::Name { word: Word { text: text.to_owned(), span }, path: Vec::new() }
+        Operand::Name { word: Word { text: status_in(text, self.mnemonics).to_owned(), span }, path: Vec::new() }
     }
 
     fn call_of(&mut self, statement: &Statement, span: Span, read: &mut Operands) -> Operand {
@@ -253,12 +281,6 @@ pub(in crate::stl) fn layout(text: &str) -> String {
     form_a::written_lines(text).map(|line| format!("{}\n", line.trim())).collect()
 }
 
-/// The number of a scratch bit in its network.
-fn scratch_number(text: &str) -> Option<u32> {
-    let (byte, bit) = text.strip_prefix('L')?.trim_start().split_once('.')?;
-    Some(byte.parse::<u32>().ok()? * 8 + bit.parse::<u32>().ok()?)
-}
-
 /// Where an operand ends in the text that it was read from: it may have more spaces there.
 fn end_of(text: &str, operand: &str) -> usize {
     let mut wanted = operand.chars().filter(|sign| !sign.is_whitespace()).peekable();
@@ -275,24 +297,31 @@ fn end_of(text: &str, operand: &str) -> usize {
     end
 }
 
+/// The length of the first line, if that is a statement of STL: an instruction and a semicolon at the end, and no T-branch that holds one.
+fn statement_of_stl(diagram: &str, mnemonics: Mnemonics) -> Option<usize> {
+    let code = |line: &str| line[..form_a::comment_start(line).unwrap_or(line.len())].trim_end().len();
+    let first = form_a::written_lines(diagram).map(|line| &line[..code(line)]).find(|line| !line.is_empty())?;
+    let statement = first.split_once(": ").map_or(first, |(_, statement)| statement.trim_start());
+    let word = statement.split(|sign: char| sign.is_whitespace() || sign == ';').next().unwrap_or_default();
+    let is_statement = first.ends_with(';') && !first.contains('{') && Instruction::candidates(word, mnemonics).next().is_some();
+    is_statement.then_some(first.len())
+}
+
 /// The networks of a diagram on one line, each with its first byte: every line is one, or all of them together are.
 fn one_line_networks(text: &str, from: usize, to: usize, together: bool) -> Vec<(usize, String)> {
     let mut networks: Vec<(usize, String)> = Vec::new();
     let mut at = from;
     for line in form_a::written_lines(&text[from..to]) {
-        let content = line.trim_end();
+        let content = line[..form_a::comment_start(line).unwrap_or(line.len())].trim_end();
         let blank = content.len() - content.trim_start().len();
-        let is_comment = content.trim_start().starts_with("//");
         match networks.last_mut() {
             // The lines keep their lengths, so that places stay right.
             Some((start, all)) if together => {
                 let missing = (at - *start) - all.len();
                 all.extend(std::iter::repeat_n(' ', missing));
-                if !is_comment {
-                    all.push_str(content);
-                }
+                all.push_str(content);
             }
-            _ if content.trim().is_empty() || is_comment => {}
+            _ if content.is_empty() => {}
             _ => networks.push((at + blank, content[blank..].to_owned())),
         }
         at += line.len();

@@ -3,7 +3,6 @@
 use std::collections::{HashMap, HashSet};
 
 use sieben_model::diagnostic::Diagnostic;
-use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
 use sieben_model::source::Span;
 
@@ -13,7 +12,7 @@ use crate::stl::ast::{Argument, Block, Call, Operand, Statement, Word};
 use crate::stl::extension::PREFIX;
 use crate::stl::instructions::Instruction;
 use crate::stl::lexer::{Raw, in_word, token};
-use crate::stl::mnemonics::translate_instruction;
+use crate::stl::mnemonics::{instruction_in, translate_instruction};
 use crate::stl::operands::OperandClass;
 use crate::stl::syntax::SyntaxKind;
 
@@ -314,13 +313,7 @@ impl Parser<'_> {
             return Some("this looks like Structured Text or SCL; in STL a jump such as `JC` or `LOOP` does it".to_owned());
         }
         let (_, own) = ELSEWHERE.iter().find(|(words, _)| words.contains(&word.as_str()))?;
-        let own: Vec<String> = own
-            .iter()
-            .map(|&english| match self.mnemonics {
-                Mnemonics::English => format!("`{english}`"),
-                Mnemonics::German => format!("`{}`", translate_instruction(english, Mnemonics::English).unwrap_or(english)),
-            })
-            .collect();
+        let own: Vec<String> = own.iter().map(|&english| format!("`{}`", instruction_in(english, self.mnemonics))).collect();
         Some(format!("in STL this is {}", own.join(" or ")))
     }
 

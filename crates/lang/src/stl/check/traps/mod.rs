@@ -5,6 +5,7 @@ mod input;
 mod instance;
 mod pointer;
 mod relay;
+mod save;
 mod timer;
 mod toggle;
 
@@ -21,6 +22,7 @@ pub(super) fn check(block: &ResolvedBlock, extended: bool, diagnostics: &mut Vec
     toggle::check(block, diagnostics);
     timer::check(block, diagnostics);
     relay::check(block, diagnostics);
+    save::check(block, diagnostics);
     instance::check(block, diagnostics);
     pointer::check(block, diagnostics);
     // Extended programs test themselves: they give their inputs their values.

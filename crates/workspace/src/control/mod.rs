@@ -1,0 +1,514 @@
+//! What can be asked of a running project and done to it: requests and answers as data, and as lines of JSON.
+//!
+//! Who carries the lines (a socket, a page) is no matter of this module. One [`Control`] serves one client.
+
+pub mod answer;
+pub mod facts;
+pub mod request;
+mod status;
+
+use std::collections::HashMap;
+use std::sync::Arc;
+use std::time::Duration;
+
+pub use answer::{Answer, line};
+use answer::{Blocks, Diagnostics, Done, Entry, Mode, PlantFaults, State, Stop, Time, Values};
+pub use facts::{Connection, CurrentFacts, Facts};
+use request::shortened;
+pub use request::{FaultChange, LINE_BYTES_MAX, ModeChange, Request, TimeChange, parse, too_long};
+use sieben_cpu::communication::Requester;
+use sieben_cpu::diagnostic_buffer::place_text;
+use sieben_cpu::{AccessError, OperatingMode, Restart, Station};
+use sieben_model::address::{Address, Area, Width};
+use sieben_model::item::{Item, Place};
+use sieben_model::mnemonics::Mnemonics;
+use sieben_model::problems::Problem;
+use sieben_model::value::{Kind, Value};
+use sieben_sim::names::{Name, NameError};
+use sieben_sim::wrap::{self, Fault};
+
+use crate::gate::{Closed, Gate, ITEMS_MAX, ListError, Plant};
+use crate::refusal::Refusal;
+use crate::status::Desk;
+
+/// Longest name that is kept, in bytes.
+const NAME_BYTES_MAX: usize = 200;
+/// Names that a client's control keeps; whoever asks for more pays for reading them again.
+const NAMES_MAX: usize = 10_000;
+/// Bytes of values that one request reads or writes: an answer stays below a megabyte.
+const VALUE_BYTES_MAX: u64 = 64 * 1024;
+/// Blocks in one answer.
+const BLOCKS_MAX: usize = 1_000;
+/// How often a request begins again because an online change came between its names and its values.
+const TRIES_MAX: usize = 10;
+/// How long a request waits for what it asked for to be done.
+const WAIT_MAX: Duration = Duration::from_secs(2);
+/// How long it waits before it looks again.
+const LOOK: Duration = Duration::from_millis(100);
+
+/// One client of a run: it remembers what names mean.
+pub struct Control {
+    current: Arc<CurrentFacts>,
+    facts: Arc<Facts>,
+    version: u64,
+    names: HashMap<String, Result<Name, NameError>>,
+}
+
+/// Names with what they mean, or why they mean nothing.
+type Meant<T> = Vec<(String, Result<T, Refusal>)>;
+
+impl From<Closed> for Refusal {
+    fn from(closed: Closed) -> Self {
+        Self::new(Problem::P7094, closed.to_string())
+    }
+}
+
+impl From<ListError> for Refusal {
+    fn from(error: ListError) -> Self {
+        match error {
+            ListError::Closed => Closed.into(),
+            ListError::TooLong(_) => Self::new(Problem::P7092, error.to_string()),
+        }
+    }
+}
+
+fn unknown(error: &NameError) -> Refusal {
+    Refusal::new(Problem::P7003, error.to_string())
+}
+
+fn unfit(error: &NameError) -> Refusal {
+    Refusal::new(Problem::P7004, error.to_string())
+}
+
+/// Something changed while it was asked for.
+fn changing() -> Refusal {
+    Refusal::new(Problem::P7093, "the program is changed again and again; ask once more")
+}
+
+impl Control {
+    /// A client of a run whose program is known by these facts.
+    pub fn new(current: Arc<CurrentFacts>) -> Self {
+        let (version, facts) = (current.version(), current.facts());
+        Self { current, facts, version, names: HashMap::new() }
+    }
+
+    /// Answers one line of JSON with another.
+    pub fn answer_line(&mut self, gate: &Gate, desk: &Desk, line: &[u8]) -> String {
+        let (id, request) = parse(line);
+        let answer = request.and_then(|request| self.answer(gate, desk, &request));
+        answer::line(&id, &answer)
+    }
+
+    /// Answers a request. It takes as long as the gate lets it wait; a start, scans that were asked for and a status take up to two seconds.
+    ///
+    /// # Errors
+    /// The request cannot be met; nothing was changed.
+    pub fn answer(&mut self, gate: &Gate, desk: &Desk, request: &Request) -> Result<Answer, Refusal> {
+        self.refresh();
+        match request {
+            Request::State => self.state(gate).map(|state| Answer::State(Box::new(state))),
+            Request::Read(names) => self.read(gate, names).map(Answer::Values),
+            Request::Write(values) => self.write(gate, values).map(Answer::Done),
+            Request::Force(values) => self.force(gate, values).map(Answer::Done),
+            Request::Unforce(names) => self.unforce(gate, names).map(Answer::Done),
+            Request::UnforceAll => {
+                let scan = gate.enter(|plant| {
+                    plant.cpu.unforce_all();
+                    plant.scans
+                })?;
+                Ok(Answer::Done(Done { scan: Some(scan), items: Vec::new() }))
+            }
+            Request::Diagnostics { after } => self.diagnostics(gate, *after).map(Answer::Diagnostics),
+            Request::Blocks { from } => self.blocks(gate, *from).map(Answer::Blocks),
+            Request::Status { block, after, from } => {
+                status::status(gate, desk, &self.facts, (block, *after, *from)).map(|status| Answer::Status(Box::new(status)))
+            }
+            Request::Mode(change) => mode(gate, *change).map(Answer::Mode),
+            Request::Time(change) => time(gate, *change).map(Answer::Time),
+            Request::Faults(change) => faults(gate, change).map(Answer::Plants),
+        }
+    }
+
+    /// Takes the newest facts; what names meant in another program is forgotten.
+    fn refresh(&mut self) {
+        let version = self.current.version();
+        if version != self.version {
+            self.facts = self.current.facts();
+            self.version = version;
+            self.names.clear();
+        }
+    }
+
+    /// What a name means.
+    fn name(&mut self, text: &str) -> Result<Name, Refusal> {
+        if let Some(known) = self.names.get(text) {
+            return known.clone().map_err(|error| unknown(&error));
+        }
+        let name = Name::parse(text, &self.facts.symbols, &self.facts.program);
+        if text.len() <= NAME_BYTES_MAX {
+            if self.names.len() >= NAMES_MAX {
+                self.names.clear();
+            }
+            self.names.insert(text.to_owned(), name.clone());
+        }
+        name.map_err(|error| unknown(&error))
+    }
+
+    fn named<'a>(&mut self, names: impl IntoIterator<Item = &'a String>) -> Result<Meant<Name>, Refusal> {
+        let meant: Meant<Name> = names.into_iter().map(|text| (text.clone(), self.name(text))).collect();
+        let bytes: u64 = meant.iter().filter_map(|(_, name)| name.as_ref().ok()).map(|name| bytes_of(name.item())).sum();
+        match bytes > VALUE_BYTES_MAX {
+            true => Err(Refusal::new(
+                Problem::P7092,
+                format!("these items have {bytes} bytes; one request reads or writes at most {VALUE_BYTES_MAX}"),
+            )),
+            false => Ok(meant),
+        }
+    }
+
+    /// Names with their values, all of which have to be right.
+    fn settings(&mut self, values: &[(String, String)]) -> Result<Meant<(Name, Value)>, Refusal> {
+        let names = self.named(values.iter().map(|(name, _)| name))?;
+        let texts = values.iter().map(|(_, text)| text.as_str());
+        Ok(names.into_iter().zip(texts).map(|((name, meant), text)| (name, meant.and_then(|meant| setting(meant, text)))).collect())
+    }
+
+    /// Comes in while the facts are those of the program that runs; `None` if they no longer are.
+    fn enter<R>(&self, gate: &Gate, work: impl FnOnce(&mut Plant) -> R) -> Result<Option<R>, Refusal> {
+        let (current, version) = (&self.current, self.version);
+        Ok(gate.enter(|plant| (current.version() == version).then(|| work(plant)))?)
+    }
+
+    fn state(&self, gate: &Gate) -> Result<State, Refusal> {
+        let (mut state, cause, forced) = gate.enter(|plant| {
+            let cpu = &plant.cpu;
+            let state = State {
+                project: None,
+                cpu: cpu.cpu_type().name,
+                mode: cpu.mode(),
+                stop: None,
+                scans: plant.scans,
+                time_us: plant.pace.time_us(gate.now_us()).min(plant.pace.end_us),
+                clock: cpu.clock().display(),
+                cycle: cpu.cycle_times(),
+                speed: plant.pace.speed(),
+                paused: plant.pace.is_paused(),
+                forced: Vec::new(),
+                forced_count: 0,
+                connections: 0,
+                newest_entry: cpu.diagnostic_buffer().newest_number(),
+            };
+            let cause = cpu.stop_cause().filter(|_| cpu.mode() == OperatingMode::Stop).cloned();
+            (state, cause, cpu.forced().bytes().collect::<Vec<_>>())
+        })?;
+        state.project.clone_from(&self.facts.project);
+        state.connections = self.current.connections();
+        state.stop = cause.map(|cause| Stop {
+            event: cause.event,
+            first_event: cause.first_event,
+            place: cause.place.map(|place| self.facts.places().of(place)),
+            text: self.called(&cause.text, cause.place),
+        });
+        let mut all: Vec<(String, String)> = forced.into_iter().flat_map(forced_texts).collect();
+        state.forced_count = all.len();
+        all.truncate(ITEMS_MAX);
+        state.forced = all;
+        Ok(state)
+    }
+
+    /// What the CPU says, with the block as people call it: the CPU knows no names.
+    fn called(&self, text: &str, place: Option<sieben_engine::FaultPlace>) -> String {
+        let named = place.and_then(|place| Some((place, self.facts.block_names.get(&place.block)?)));
+        named.map_or_else(|| text.to_owned(), |(place, name)| text.replace(&place_text(place), &format!("in `{name}`")))
+    }
+
+    fn read(&mut self, gate: &Gate, names: &[String]) -> Result<Values, Refusal> {
+        for _ in 0..TRIES_MAX {
+            let meant = self.named(names)?;
+            let items: Vec<Item> = meant.iter().filter_map(|(_, name)| Some(name.as_ref().ok()?.item().clone())).collect();
+            let Some((scan, values, cpu_type)) =
+                self.enter(gate, |plant| (plant.scans, plant.cpu.read_items(&items), plant.cpu.cpu_type()))?
+            else {
+                self.refresh();
+                continue;
+            };
+            let mut values = values.into_iter();
+            let value = |(text, name): (String, Result<Name, Refusal>)| {
+                let value = name.and_then(|name| {
+                    let value = values.next().unwrap_or(Err(AccessError::NotAccessible));
+                    value.map_err(|error| unknown(&name.refused("read", error, cpu_type)))
+                });
+                (text, value)
+            };
+            return Ok(Values { scan, items: meant.into_iter().map(value).collect() });
+        }
+        Err(changing())
+    }
+
+    /// Writes all of the values, or none: a name that means nothing, a value that does not fit and an item that is not there keep back all
+    /// others. What can be read and not be set is told when it is tried; the others are set then.
+    fn write(&mut self, gate: &Gate, values: &[(String, String)]) -> Result<Done, Refusal> {
+        for _ in 0..TRIES_MAX {
+            let meant = self.settings(values)?;
+            let Some(pairs) = all_right(&meant) else { return Ok(nothing_done(meant)) };
+            let list: Vec<(Item, Value)> = pairs.iter().map(|(name, value)| (name.item().clone(), value.clone())).collect();
+            let items: Vec<Item> = list.iter().map(|(item, _)| item.clone()).collect();
+            let entered = self.enter(gate, |plant| {
+                let there = plant.cpu.read_items(&items);
+                let absent = there.iter().any(Result::is_err);
+                let outcomes = if absent { there.into_iter().map(|value| value.map(drop)).collect() } else { plant.cpu.write_items(&list) };
+                ((!absent).then_some(plant.scans), outcomes, plant.cpu.cpu_type())
+            })?;
+            let Some((scan, outcomes, cpu_type)) = entered else {
+                self.refresh();
+                continue;
+            };
+            let outcome = |((name, _), outcome): (&(Name, Value), Result<(), AccessError>)| {
+                let refused = |error| match error {
+                    AccessError::Value => unfit(&name.refused("set", error, cpu_type)),
+                    error => unknown(&name.refused("set", error, cpu_type)),
+                };
+                (name.text().to_owned(), outcome.map_err(refused))
+            };
+            return Ok(Done { scan, items: pairs.iter().zip(outcomes).map(outcome).collect() });
+        }
+        Err(changing())
+    }
+
+    /// Forces all of the items, or none where a name or a value is wrong. What the CPU type does not force is told for itself.
+    fn force(&mut self, gate: &Gate, values: &[(String, String)]) -> Result<Done, Refusal> {
+        for _ in 0..TRIES_MAX {
+            let meant = self.settings(values)?;
+            let Some(pairs) = all_right(&meant) else { return Ok(nothing_done(meant)) };
+            let forced = self.enter(gate, |plant| {
+                let force = |(name, value): &(Name, Value)| {
+                    (name.text().to_owned(), name.force(&mut plant.cpu, value).map_err(|error| unknown(&error)))
+                };
+                (pairs.iter().map(force).collect::<Vec<_>>(), plant.scans)
+            })?;
+            match forced {
+                Some((items, scan)) => return Ok(Done { scan: Some(scan), items }),
+                None => self.refresh(),
+            }
+        }
+        Err(changing())
+    }
+
+    fn unforce(&mut self, gate: &Gate, names: &[String]) -> Result<Done, Refusal> {
+        for _ in 0..TRIES_MAX {
+            let meant = self.named(names)?;
+            let unforced = self.enter(gate, |plant| {
+                let unforce = |(text, name): &(String, Result<Name, Refusal>)| {
+                    let done = name.clone().and_then(|name| name.unforce(&mut plant.cpu).map_err(|error| unknown(&error)));
+                    (text.clone(), done)
+                };
+                (meant.iter().map(unforce).collect::<Vec<_>>(), plant.scans)
+            })?;
+            match unforced {
+                Some((items, scan)) => return Ok(Done { scan: Some(scan), items }),
+                None => self.refresh(),
+            }
+        }
+        Err(changing())
+    }
+
+    fn diagnostics(&self, gate: &Gate, after: u64) -> Result<Diagnostics, Refusal> {
+        let (newest, entries) = gate.enter(|plant| {
+            let buffer = plant.cpu.diagnostic_buffer();
+            (buffer.newest_number(), buffer.newer_than(after).map(|(number, entry)| (number, entry.clone())).collect::<Vec<_>>())
+        })?;
+        let mut places = self.facts.places();
+        let entry = |(number, entry): (u64, sieben_cpu::DiagnosticEntry)| Entry {
+            number,
+            time: entry.time.display(),
+            event: entry.event(),
+            text: self.called(&entry.text(), entry.place),
+            place: entry.place.map(|place| places.of(place)),
+        };
+        Ok(Diagnostics { newest, entries: entries.into_iter().map(entry).collect() })
+    }
+
+    fn blocks(&self, gate: &Gate, from: usize) -> Result<Blocks, Refusal> {
+        let ids = gate.enter(|plant| plant.cpu.blocks())?;
+        let total = ids.len();
+        let wanted = ids.into_iter().skip(from).take(BLOCKS_MAX);
+        let views = gate.enter_for_each(wanted, |plant, id| plant.cpu.block(id))?;
+        let next = from.saturating_add(views.len());
+        let named = |view: sieben_cpu::BlockView| {
+            let name = self.facts.block_names.get(&view.id).cloned();
+            (view, name)
+        };
+        Ok(Blocks { total, next: (next < total).then_some(next), blocks: views.into_iter().flatten().map(named).collect() })
+    }
+}
+
+/// A name with the value that a text means for it.
+fn setting(name: Name, text: &str) -> Result<(Name, Value), Refusal> {
+    match name.value(text) {
+        Ok(value) => Ok((name, value)),
+        Err(error) => Err(unfit(&error)),
+    }
+}
+
+/// All names with their values, if none of them is wrong.
+fn all_right(meant: &Meant<(Name, Value)>) -> Option<Vec<(Name, Value)>> {
+    meant.iter().map(|(_, setting)| setting.as_ref().ok().cloned()).collect()
+}
+
+fn nothing_done(meant: Meant<(Name, Value)>) -> Done {
+    Done { scan: None, items: meant.into_iter().map(|(text, setting)| (text, setting.map(drop))).collect() }
+}
+
+/// Bytes that the value of an item has at most.
+fn bytes_of(item: &Item) -> u64 {
+    match (&item.place, &item.kind) {
+        (Place::Bytes(bytes), _) => u64::from(bytes.length),
+        (_, Kind::Typed(data_type)) => data_type.bits().div_ceil(8),
+        _ => 8,
+    }
+}
+
+/// Forced bits of a byte as people write them.
+fn forced_texts((area, byte, mask, value): (Area, u32, u8, u8)) -> Vec<(String, String)> {
+    let text = |width, bit| Address { area, width, byte, bit }.spell(Mnemonics::English);
+    if mask == u8::MAX {
+        return vec![(text(Width::Byte, 0), format!("16#{value:02X}"))];
+    }
+    let bits = (0..8_u8).filter(|bit| mask >> bit & 1 == 1);
+    bits.map(|bit| (text(Width::Bit, bit), (value >> bit & 1).to_string())).collect()
+}
+
+/// The CPU does not do this in its mode.
+fn not_now(error: impl std::fmt::Display) -> Refusal {
+    Refusal::new(Problem::P7093, error.to_string())
+}
+
+fn mode(gate: &Gate, change: ModeChange) -> Result<Mode, Refusal> {
+    let now = |plant: &mut Plant| Mode { mode: plant.cpu.mode(), scans: plant.scans };
+    match change {
+        ModeChange::Stop => Ok(gate.command(|plant| {
+            plant.stop(Requester::default());
+            now(plant)
+        })?),
+        ModeChange::MemoryReset => {
+            gate.command(|plant| Station::memory_reset(&mut plant.cpu, Requester::default()).map(|()| now(plant)).map_err(not_now))?
+        }
+        ModeChange::Run(restart) => start(gate, restart),
+    }
+}
+
+/// Starts a CPU in STOP and waits for what comes of it.
+fn start(gate: &Gate, restart: Restart) -> Result<Mode, Refusal> {
+    gate.command(|plant| match plant.cpu.mode() {
+        OperatingMode::Stop => {
+            plant.ask_for_start(restart, Requester::default());
+            Ok(())
+        }
+        OperatingMode::Hold => Err(not_now(sieben_cpu::StartRefused::Held)),
+        OperatingMode::Run | OperatingMode::Startup => Err(not_now(sieben_cpu::StartRefused::Running)),
+    })??;
+    wait(gate, |plant| plant.start.is_none().then(|| Mode { mode: plant.cpu.mode(), scans: plant.scans }))?
+        .ok_or_else(|| not_now("the start takes longer than two seconds; ask for `state`"))
+}
+
+/// Looks at the plant until there is something to be seen, for two seconds at most.
+fn wait<R>(gate: &Gate, mut look: impl FnMut(&mut Plant) -> Option<R>) -> Result<Option<R>, Refusal> {
+    let end = gate.now_us().saturating_add(u64::try_from(WAIT_MAX.as_micros()).unwrap_or(u64::MAX));
+    loop {
+        let points = gate.points();
+        if let Some(seen) = gate.enter(&mut look)? {
+            return Ok(Some(seen));
+        }
+        if gate.now_us() >= end {
+            return Ok(None);
+        }
+        gate.wait_for_point(points, LOOK);
+    }
+}
+
+fn time(gate: &Gate, change: TimeChange) -> Result<Time, Refusal> {
+    let now = |plant: &mut Plant| Time {
+        paused: plant.pace.is_paused(),
+        speed: plant.pace.speed(),
+        scans: plant.scans,
+        time_us: plant.pace.time_us(gate.now_us()).min(plant.pace.end_us),
+        scans_left: plant.pace.steps_left(),
+    };
+    let changed = gate.command(|plant| {
+        let real_us = gate.now_us();
+        match change {
+            TimeChange::Pause => plant.pace.pause(real_us),
+            TimeChange::Go => plant.pace.go(real_us),
+            TimeChange::Step(scans) => plant.pace.step(scans, real_us),
+            TimeChange::Speed(speed) => plant.pace.set_speed(speed, real_us),
+        }
+        now(plant)
+    })?;
+    match change {
+        TimeChange::Step(_) => match wait(gate, |plant| (!plant.pace.has_steps()).then(|| now(plant)))? {
+            Some(done) => Ok(done),
+            None => Ok(gate.enter(now)?),
+        },
+        _ => Ok(changed),
+    }
+}
+
+fn faults(gate: &Gate, change: &FaultChange) -> Result<Vec<PlantFaults>, Refusal> {
+    let refused = |message: String| Refusal::new(Problem::P6272, message);
+    let fault = match change {
+        FaultChange::Inject(text) => Some(Fault::parse(text).map_err(refused)?),
+        _ => None,
+    };
+    gate.enter(|plant| {
+        let rack = plant.cpu.rack_mut();
+        if let Some(fault) = &fault {
+            wrap::inject(rack, fault).map_err(refused)?;
+        }
+        if let FaultChange::Mend(name) = change {
+            wrap::mend(rack, name).map_err(|message| refused(shortened(&message)))?;
+        }
+        Ok(wrap::plants(plant.cpu.rack()).map(plant_faults).collect())
+    })?
+}
+
+fn plant_faults(plant: &wrap::Plant) -> PlantFaults {
+    use sieben_cpu::IoModule;
+    PlantFaults {
+        module: plant.name().to_owned(),
+        kind: plant.kind().name,
+        signals: plant.kind().signals.iter().map(|signal| signal.name).collect(),
+        faults: plant.faults().map(ToString::to_string).collect(),
+    }
+}
+
+/// Reads the input as lines of requests, and their names and values as those of an empty program: a target of the fuzzer.
+pub fn fuzz(data: &[u8]) {
+    let mut control = Control::new(Arc::new(CurrentFacts::default()));
+    for request in data.split(|&byte| byte == b'\n') {
+        let (id, request) = parse(request);
+        let answer = match &request {
+            Ok(Request::Read(names) | Request::Unforce(names)) => control.named(names).map(|meant| {
+                let none = |(text, name): (String, Result<Name, Refusal>)| (text, name.and_then(|_| Err(changing())));
+                Answer::Values(Values { scan: 0, items: meant.into_iter().map(none).collect() })
+            }),
+            Ok(Request::Write(values) | Request::Force(values)) => control.settings(values).map(|meant| Answer::Done(nothing_done(meant))),
+            Ok(Request::Faults(FaultChange::Inject(fault))) => Err(Refusal::new(
+                Problem::P6272,
+                match Fault::parse(fault) {
+                    Ok(fault) => fault.to_string(),
+                    Err(message) => message,
+                },
+            )),
+            Ok(Request::Status { block, .. }) => {
+                // What it means is no matter.
+                let _ = control.facts.block(block);
+                Err(changing())
+            }
+            Ok(_) => Err(changing()),
+            Err(refusal) => Err(refusal.clone()),
+        };
+        let line = line(&id, &answer);
+        assert_eq!(line.matches('\n').count(), 1, "an answer is one line");
+        assert!(serde_json::from_str::<serde_json::Value>(&line).is_ok_and(|answer| answer["id"] == id), "an answer is JSON");
+    }
+}

@@ -1,0 +1,91 @@
+//! The status of a block for those who ask for one sample at a time.
+
+use sieben_engine::FaultPlace;
+use sieben_model::block::{BlockId, BlockKind};
+use sieben_model::problems::Problem;
+
+use super::answer::{Statement, Status};
+use super::facts::Facts;
+use super::request::shortened;
+use super::{LOOK, WAIT_MAX};
+use crate::gate::{Closed, Gate};
+use crate::refusal::Refusal;
+use crate::status::{Desk, Sample};
+
+/// Statements in one answer.
+const STATEMENTS_MAX: usize = 1_000;
+
+fn not_shown(message: impl Into<String>) -> Refusal {
+    Refusal::new(Problem::P7095, message)
+}
+
+/// Looks at a block until a sample comes that is newer than the one with the number `after`; 0 stands for the newest one.
+pub(super) fn status(gate: &Gate, desk: &Desk, facts: &Facts, (name, after, from): (&str, u64, u32)) -> Result<Status, Refusal> {
+    let block = facts.block(name).ok_or_else(|| not_shown(format!("there is no block `{}`", shortened(name))))?;
+    if block.kind == BlockKind::DataBlock || !facts.program.code.contains_key(&block) {
+        return Err(not_shown(format!("{block} has no statements in this program")));
+    }
+    let _look = desk.look([block]);
+    let now_us = gate.now_us();
+    let end = now_us.saturating_add(u64::try_from(WAIT_MAX.as_micros()).unwrap_or(u64::MAX));
+    // Who knows no sample of this run wants the next one.
+    let newest = desk.number();
+    let mut seen = if (1..=newest).contains(&after) { after } else { newest };
+    while !gate.is_closed() {
+        if let Some((number, looked)) = desk.wait_for_sample(seen, LOOK) {
+            seen = number;
+            let sample = looked.map_err(|error| not_shown(error.to_string()))?;
+            // One that was replayed before the look began has nothing of the block.
+            if sample.blocks.contains(&block) {
+                return Ok(shown(facts, block, (number, &sample), from));
+            }
+        }
+        if gate.now_us() >= end {
+            return Err(not_shown("no scan has run within two seconds: the CPU is in STOP, or its time stands still"));
+        }
+    }
+    Err(Closed.into())
+}
+
+fn shown(facts: &Facts, block: BlockId, (number, sample): (u64, &Sample), from: u32) -> Status {
+    let first = (block, from.saturating_sub(1));
+    let mut wanted = sample.statements.range(first..=(block, u32::MAX));
+    let mut places = facts.places();
+    let mut statements = Vec::new();
+    for (&(block, statement), status) in wanted.by_ref().take(STATEMENTS_MAX) {
+        statements.push(Statement {
+            place: places.of(FaultPlace { block, statement }),
+            times: status.times,
+            before: status.before.clone(),
+            after: status.after.clone(),
+        });
+    }
+    let next = wanted.next().map(|(&(_, statement), _)| u64::from(statement) + 1);
+    Status { block, sample: number, scan: sample.scan, time_us: sample.time_us, same: sample.same, next, statements }
+}
+
+#[cfg(test)]
+mod tests {
+    use sieben_engine::machine::Registers;
+
+    use super::*;
+    use crate::status::StatementStatus;
+
+    #[test]
+    fn a_long_block_comes_in_parts_and_no_statement_twice() {
+        let status = StatementStatus { before: Registers::fresh(), after: Registers::fresh(), times: 1 };
+        let numbers = || (0..5_000_u32).filter(|number| number % 2 == 0);
+        let (block, other) = (BlockId::fc(1), BlockId::fc(2));
+        let statements = numbers().flat_map(|number| [((block, number), status.clone()), ((other, number), status.clone())]).collect();
+        let sample = Sample { scan: 3, time_us: 0, same: true, blocks: vec![block, other], statements };
+        let (mut seen, mut from) = (Vec::new(), Some(1));
+        while let Some(number) = from {
+            let part = shown(&Facts::default(), block, (1, &sample), u32::try_from(number).expect("a statement"));
+            assert!(part.statements.len() <= STATEMENTS_MAX);
+            seen.extend(part.statements.iter().map(|statement| statement.place.statement));
+            from = part.next;
+        }
+        assert_eq!(seen, numbers().map(|number| u64::from(number) + 1).collect::<Vec<_>>());
+        assert!(shown(&Facts::default(), block, (1, &sample), u32::MAX).statements.is_empty());
+    }
+}
