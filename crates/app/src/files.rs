@@ -8,6 +8,7 @@ use std::sync::Arc;
 use sieben_lang::encoding::MAX_SOURCE_BYTES;
 use sieben_model::problems::Problem;
 use sieben_model::visible;
+use sieben_workspace::nearest::nearest;
 
 use crate::failure::Failure;
 
@@ -83,7 +84,7 @@ fn similar(path: &Path) -> Option<String> {
     let wanted = path.file_name()?.to_str()?;
     // A folder may be huge; the suggestion is a kindness, not a search.
     let names: Vec<String> = fs::read_dir(folder).ok()?.take(1000).filter_map(|entry| entry.ok()?.file_name().into_string().ok()).collect();
-    sieben_workspace::nearest::nearest(wanted, names.iter().map(String::as_str)).map(str::to_owned)
+    nearest(wanted, names.iter().map(String::as_str)).map(str::to_owned)
 }
 
 /// Replaces a file as a whole: writes a new one beside it and renames it, so that a full disk or a power cut loses nothing.

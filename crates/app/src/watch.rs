@@ -15,7 +15,7 @@ use sieben_model::visible::visible;
 use sieben_workspace::finding;
 use sieben_workspace::online_change;
 use sieben_workspace::project::{Build, Overrides};
-use sieben_workspace::settings::Settings;
+use sieben_workspace::settings::{FILE_NAME, Settings};
 
 use crate::arguments::ProgramArguments;
 use crate::engines::EngineArgument;
@@ -163,7 +163,7 @@ pub(crate) fn stamps(paths: &[PathBuf]) -> Stamps {
     let mut files: BTreeSet<PathBuf> = BTreeSet::new();
     for path in paths {
         if path.is_dir() {
-            files.insert(path.join(sieben_workspace::settings::FILE_NAME));
+            files.insert(path.join(FILE_NAME));
             let below = paths::files_below(path).unwrap_or_default();
             files.extend(below.into_iter().filter(|file| paths::is_program(file) || paths::is_test(file) || paths::is_symbols(file)));
         } else {
@@ -246,10 +246,7 @@ impl Looking {
         }
         if self.settings != build.project.settings {
             self.settings = build.project.settings.clone();
-            output::message(&format!(
-                "What `{}` says beside the files takes effect with the next start.\n",
-                sieben_workspace::settings::FILE_NAME
-            ));
+            output::message(&format!("What `{}` says beside the files takes effect with the next start.\n", FILE_NAME));
         }
         let program = Arc::new(build.compiled.program.clone());
         let load = |program: &_, layout: &_| self.engine.load(program, layout, StatusBits::Needed);

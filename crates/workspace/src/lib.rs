@@ -1,6 +1,8 @@
-//! A project at work: the run of its CPU, and the way in for everyone who looks and acts from outside.
+//! A project at work: its texts and what comes of them, a session with its run, its tests, and the way in for everyone who looks and acts from
+//! outside.
 //!
-//! No files, no terminal, no clock, no threads: time comes in as a function, `app` starts the threads that call in here.
+//! No files, no terminal, no clock, no threads: texts come in as bytes, time comes in as a function, an engine as what loads a program; `app`
+//! starts the threads that call in here.
 #![forbid(unsafe_code)]
 
 pub mod control;

@@ -12,12 +12,13 @@ use sieben_lang::stl::instructions::Instruction;
 use sieben_model::cpu_type::CpuType;
 use sieben_model::diagnostic::Severity;
 use sieben_model::literal;
-use sieben_model::source::Sources;
+use sieben_model::source::{FileId, Sources};
 use sieben_model::symbols::SymbolTable;
 use sieben_sim::history::{History, Plan, Until, Watch};
 use sieben_sim::scenario::Scenario;
 use sieben_sim::timing_diagram::{self, Options as Drawn};
 use sieben_sim::trace::{Memory, Trace, csv, vcd};
+use sieben_workspace::settings;
 
 /// Something that must survive any input.
 pub struct Target {
@@ -56,6 +57,7 @@ pub const TARGETS: &[Target] = &[
     Target { name: "sim-history", fuzz: history, corpus: "engines", fences: &["stl"], words: stl_words },
     Target { name: "sim-scenario", fuzz: scenario, corpus: "scenario", fences: &["check"], words: scenario_words },
     Target { name: "sim-recording", fuzz: recording, corpus: "recording", fences: &[], words: no_words },
+    Target { name: "workspace-settings", fuzz: settings, corpus: "settings", fences: &[], words: settings_words },
     Target { name: "workspace-control", fuzz: sieben_workspace::control::fuzz, corpus: "control", fences: &[], words: control_words },
     Target { name: "model-literal", fuzz: literal, corpus: "literal", fences: &[], words: literal_words },
 ];
@@ -131,6 +133,17 @@ fn history(data: &[u8]) {
     }
     history.go_to_position(end);
     assert!(*history.cpu().machine() == last, "the end of the run is what it was");
+}
+
+/// Reads the input as a `sieben.toml`: each place that is named lies in it, and the modules that it describes are plugged in or refused.
+fn settings(data: &[u8]) {
+    let text = String::from_utf8_lossy(data);
+    let (settings, diagnostics) = settings::parse(&text, FileId(0));
+    for diagnostic in &diagnostics {
+        assert!(diagnostic.span.end as usize <= text.len(), "the place lies in the file");
+    }
+    let cpu_type = &CpuType::ALL[data.len() % CpuType::ALL.len()];
+    let _ = (settings::modules::problems(&settings.modules, cpu_type), settings.retain.beyond(cpu_type));
 }
 
 /// Takes the input back as retentive data, with and without judging the program, and goes on with what came of it.
@@ -279,6 +292,22 @@ fn st_words() -> Vec<&'static str> {
 
 fn no_words() -> Vec<&'static str> {
     Vec::new()
+}
+
+fn settings_words() -> Vec<&'static str> {
+    vec![
+        "[project]\n",
+        "[cpu]\n",
+        "[[module]]\n",
+        "[cyclic.35]\n",
+        "retain = { m = \"0..15\" }\n",
+        "kind = \"tank\"\n",
+        "fault = \"level stuck@30s\"\n",
+        "cycle = \"free\"\n",
+        "input = 99999999999999999999\n",
+        "level = nan\n",
+        "\u{0}",
+    ]
 }
 
 fn scenario_words() -> Vec<&'static str> {

@@ -18,6 +18,7 @@ use sieben_workspace::Refusal;
 use sieben_workspace::controller;
 use sieben_workspace::duration;
 use sieben_workspace::failed::{Failed, Heard};
+use sieben_workspace::finding::{Finding, Texts};
 use sieben_workspace::names;
 use sieben_workspace::project::Build;
 use sieben_workspace::tracing::channels;
@@ -323,11 +324,7 @@ fn draw(arguments: &Arguments, from: &Path, paths: &[PathBuf]) -> Result<Exit, F
     }
     if !trace.is_whole() {
         let message = format!("`{}` was cut off: {} scans are whole", from.display(), trace.summary().scans);
-        report::print(
-            &[sieben_workspace::finding::Finding::file(Problem::P6263, from.to_string_lossy(), message)],
-            &sieben_workspace::finding::Texts::default(),
-            false,
-        );
+        report::print(&[Finding::file(Problem::P6263, from.to_string_lossy(), message)], &Texts::default(), false);
     }
     show(arguments, &trace, &Outcome::default())?;
     Ok(Exit::Success)
