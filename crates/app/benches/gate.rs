@@ -54,9 +54,9 @@ fn source(rounds: u32) -> String {
     format!(
         "DATA_BLOCK DB 1\nSTRUCT a : ARRAY [0..1999] OF INT; END_STRUCT;\nBEGIN\nEND_DATA_BLOCK\n\
          ORGANIZATION_BLOCK OB 1\nVAR_TEMP info : ARRAY [0..19] OF BYTE; n : INT; round : INT; END_VAR\nBEGIN\n\
-         OPN DB 1; L {rounds};\nouter: T #round; L 100;\nnext: T #n; SLD 4; LAR1; L DBW [AR1, P#0.0]; L #n; +I; T DBW [AR1, P#2.0];\n\
+         OPN DB 1; L {rounds};\nrond: T #round; L 100;\nnext: T #n; SLD 4; LAR1; L DBW [AR1, P#0.0]; L #n; +I; T DBW [AR1, P#2.0];\n\
          A M 0.0; XN I 0.1; = M 0.0; L MW 10; L #n; XOW; T MW 10; L #n; LOOP next;\n\
-         L #round; LOOP outer;\n\
+         L #round; LOOP rond;\n\
          L MW 20; L 1; +I; T MW 20;\nEND_ORGANIZATION_BLOCK\n"
     )
 }
@@ -185,6 +185,6 @@ fn main() {
     }
     waits.sort_by(f64::total_cmp);
     let at = |part: f64| waits.get((waits.len() as f64 * part) as usize).copied().unwrap_or_default();
-    println!("{} reads of 286 bytes; they took {:.0} µs (median), {:.0} µs (99 %)", waits.len(), at(0.5), at(0.99));
+    println!("{} reads of 286 bytes; they took {:.1} µs (median), {:.1} µs (99 %)", waits.len(), at(0.5), at(0.99));
     println!("longest cycle {} µs", gate.finish(|plant| plant.cpu.cycle_times().max));
 }
