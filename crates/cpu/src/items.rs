@@ -4,7 +4,7 @@ mod local;
 
 use std::ops::Range;
 
-use sieben_engine::machine::Registers;
+use sieben_engine::machine::{Registers, Timer};
 use sieben_engine::{Machine, Stored};
 use sieben_model::address::{Address, Area, Operand, Width};
 use sieben_model::item::{Bytes, Item, Local, Place};
@@ -29,6 +29,13 @@ pub(crate) fn content_of(kind: &Kind, bytes: &[u8]) -> Content {
         Kind::Typed(data_type) if data_type.stands_in_bytes() => Content::Bytes(bytes.into()),
         _ => Content::Bits(bytes.iter().fold(0, |bits, &byte| bits << 8 | u64::from(byte))),
     }
+}
+
+/// A timer as it stands at this moment.
+pub(crate) fn timer_of(machine: &Machine, number: u16) -> Option<Timer> {
+    let mut timer = machine.timers.get(usize::from(number))?.clone();
+    timer.refresh(machine.clock_us);
+    Some(timer)
 }
 
 /// The range of the arena that bytes of an area or of a data block are; `None` if they lie outside.
@@ -58,11 +65,7 @@ impl<'m> Moment<'m> {
     pub fn bits(self, item: &Item) -> Option<u64> {
         let Self { machine, registers } = self;
         match &item.place {
-            Place::Operand(Operand::Timer(number)) => {
-                let mut timer = machine.timers.get(usize::from(*number))?.clone();
-                timer.refresh(machine.clock_us);
-                Some(u64::from(timer.remaining(machine.clock_us)))
-            }
+            Place::Operand(Operand::Timer(number)) => Some(u64::from(timer_of(machine, *number)?.remaining(machine.clock_us))),
             Place::Operand(Operand::Counter(number)) => Some(u64::from(machine.counters.get(usize::from(*number))?.count)),
             Place::Operand(operand) => {
                 let address = operand_in_image(operand);
@@ -74,11 +77,7 @@ impl<'m> Moment<'m> {
                 };
                 Some(machine.memory.read_wide(at, bit & 7, width))
             }
-            Place::TimerStatus(number) => {
-                let mut timer = machine.timers.get(usize::from(*number))?.clone();
-                timer.refresh(machine.clock_us);
-                Some(u64::from(timer.status))
-            }
+            Place::TimerStatus(number) => Some(u64::from(timer_of(machine, *number)?.status)),
             Place::Bytes(bytes) => {
                 let range = range_of(machine, bytes).filter(|range| range.len() <= 8)?;
                 content_of(&item.kind, machine.memory.arena.get(range)?).bits()

@@ -15,6 +15,7 @@ use crate::cycle::CycleTimes;
 use crate::data_block_replacement::ReplaceRefused;
 use crate::diagnostic_buffer::DiagnosticBuffer;
 use crate::forcing::Forced;
+use crate::items::timer_of;
 use crate::loaded_blocks::BlockView;
 use crate::mode::{NotInStop, OperatingMode, Restart, StartRefused, StopCause};
 use crate::station::{AccessError, Station, TimerReading};
@@ -107,10 +108,9 @@ impl Station for Cpu {
     }
 
     fn timer(&self, number: u16) -> Option<TimerReading> {
-        let mut timer = self.machine.timers.get(usize::from(number))?.clone();
-        let now = self.machine.clock_us;
-        timer.refresh(now);
-        Some(TimerReading { status: timer.status, value: timer.remaining(now), base: timer.base, running: timer.running })
+        let timer = timer_of(&self.machine, number)?;
+        let value = timer.remaining(self.machine.clock_us);
+        Some(TimerReading { status: timer.status, value, base: timer.base, running: timer.running })
     }
 
     fn diagnostic_buffer(&self) -> &DiagnosticBuffer {
