@@ -90,10 +90,15 @@ impl Kind {
     /// How a recording keeps it: what is no number of at most 64 bits as characters.
     #[must_use]
     pub fn recorded(self) -> Self {
-        match &self {
-            Self::Bytes(_) => Self::Text,
-            Self::Typed(data_type) if data_type.is_enumeration() || data_type.stands_in_bytes() || names_a_number(data_type) => Self::Text,
-            _ => self,
+        if self.is_recorded_as_text() { Self::Text } else { self }
+    }
+
+    /// Whether a recording keeps characters of it.
+    pub fn is_recorded_as_text(&self) -> bool {
+        match self {
+            Self::Bytes(_) | Self::Text => true,
+            Self::Typed(data_type) => data_type.is_enumeration() || data_type.stands_in_bytes() || names_a_number(data_type),
+            _ => false,
         }
     }
 

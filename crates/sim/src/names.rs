@@ -17,7 +17,7 @@ use parsing::{absolute, named, symbolic};
 pub use reading::{Displayed, Sample, TEXT_BYTES_MAX};
 pub use setting::Setting;
 use sieben_cpu::items::Spot;
-use sieben_cpu::{AccessError, Cpu, Moment, Station};
+use sieben_cpu::{AccessError, Cpu, Moment};
 use sieben_engine::machine::Registers;
 use sieben_engine::{Machine, Program, Stored};
 use sieben_model::address::{Address, Area, Operand};
@@ -126,13 +126,12 @@ impl Name {
         matches!(self.item.place, Place::Register(_) | Place::Status)
     }
 
-    /// The value in a CPU. Registers are those after the last statement of OB 1.
+    /// What it holds in a CPU. Registers are those after the last statement of OB 1.
     ///
     /// # Errors
     /// The CPU has nothing of that name.
-    pub fn get(&self, cpu: &Cpu) -> Result<Value, NameError> {
-        let value = cpu.read_items(std::slice::from_ref(&self.item)).pop();
-        value.unwrap_or(Err(AccessError::NotAccessible)).map_err(|error| self.refused("read", error, cpu.cpu_type()))
+    pub fn content(&self, cpu: &Cpu) -> Result<Content, NameError> {
+        cpu.content(&self.item).map_err(|error| self.refused("read", error, cpu.cpu_type()))
     }
 
     /// The value in a CPU, ready to be shown.
@@ -140,7 +139,7 @@ impl Name {
     /// # Errors
     /// The CPU has nothing of that name.
     pub fn read(&self, cpu: &Cpu) -> Result<Shown, NameError> {
-        self.get(cpu).map(|value| value.shown())
+        self.content(cpu).map(|content| self.kind().show(&content))
     }
 
     /// Reads a value for it.
@@ -164,8 +163,7 @@ impl Name {
     /// # Errors
     /// The CPU has nothing of that name that could be set.
     pub fn set(&self, cpu: &mut Cpu, value: &Value) -> Result<(), NameError> {
-        let set = cpu.write_items(&[(self.item.clone(), value.clone())]).pop();
-        set.unwrap_or(Ok(())).map_err(|error| self.refused("set", error, cpu.cpu_type()))
+        cpu.set(&self.item, &value.content).map_err(|error| self.refused("set", error, cpu.cpu_type()))
     }
 
     /// As [`Self::set`], with a value as a user writes it.
@@ -225,12 +223,12 @@ impl Name {
     /// # Errors
     /// The expected value is none or does not fit, or the CPU has nothing of that name.
     pub fn holds(&self, cpu: &Cpu, expected: &str) -> Result<bool, NameError> {
-        if matches!(self.kind(), Kind::Typed(_)) && self.operand().is_none() && self.recorded() == Kind::Text {
+        if matches!(self.kind(), Kind::Typed(_)) && self.operand().is_none() && self.kind().is_recorded_as_text() {
             return Ok(self.read(cpu)?.to_string() == expected);
         }
         let is_nan = expected.eq_ignore_ascii_case("NaN") && self.item.width() == 32;
         let expected = self.expected(expected)?;
-        let actual = self.get(cpu)?.content;
+        let actual = self.content(cpu)?;
         match actual {
             Content::Bits(bits) if is_nan => Ok(f32::from_bits(bits as u32).is_nan()),
             actual => Ok(actual == expected.content),

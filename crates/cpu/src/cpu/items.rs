@@ -20,8 +20,11 @@ impl Cpu {
         Moment { machine: self.machine(), registers: self.registers() }
     }
 
-    /// What an item holds.
-    pub(super) fn content(&self, item: &Item) -> Result<Content, AccessError> {
+    /// What an item holds, as [`Station::read_items`] reads it.
+    ///
+    /// # Errors
+    /// Nothing is there to be read.
+    pub fn content(&self, item: &Item) -> Result<Content, AccessError> {
         match &item.place {
             Place::Operand(operand) if operand.width() == Some(Width::QuadWord) => {
                 let bytes = as_bytes(operand).ok_or(AccessError::NotAccessible)?;
@@ -66,8 +69,12 @@ impl Cpu {
         })
     }
 
-    /// Gives an item a value: an input in its module, a register for the beginning of OB 1 in the next scan, anything else in place.
-    pub(super) fn set(&mut self, item: &Item, content: &Content) -> Result<(), AccessError> {
+    /// Gives an item a value, as [`Station::write_items`] does: an input in its module, a register for the beginning of OB 1 in the next scan,
+    /// anything else in place.
+    ///
+    /// # Errors
+    /// Nothing is there to be set, or the value does not fit.
+    pub fn set(&mut self, item: &Item, content: &Content) -> Result<(), AccessError> {
         match (&item.place, content) {
             (Place::Operand(operand), Content::Bits(bits)) if operand.width() == Some(Width::QuadWord) => {
                 let bytes = as_bytes(operand).ok_or(AccessError::NotAccessible)?;

@@ -34,9 +34,13 @@ impl Sample {
 
     /// What a recording keeps of a value.
     pub fn of(value: &Value) -> Self {
-        match value.content {
-            Content::Bits(bits) if value.kind.clone().recorded() != Kind::Text => Self::Bits(bits),
-            _ => Self::text(&value.shown().to_string()),
+        Self::of_content(&value.kind, &value.content)
+    }
+
+    fn of_content(kind: &Kind, content: &Content) -> Self {
+        match content {
+            Content::Bits(bits) if !kind.is_recorded_as_text() => Self::Bits(*bits),
+            _ => Self::text(&kind.show(content).to_string()),
         }
     }
 
@@ -98,6 +102,6 @@ impl Name {
     /// # Errors
     /// The CPU has nothing of that name.
     pub fn sample(&self, cpu: &Cpu) -> Result<Sample, NameError> {
-        self.get(cpu).map(|value| Sample::of(&value))
+        self.content(cpu).map(|content| Sample::of_content(self.kind(), &content))
     }
 }
