@@ -1,8 +1,9 @@
 //! What those who come in from outside cost a scan: `cargo bench -p sieben-app --bench gate [-- SECONDS]`.
 //!
 //! A scan of about 1 ms CPU time in a cycle of 10 ms runs alone, beside one reader at full speed and eight that ask 1,000 times a second, and
-//! while its status is looked at. The kinds take turns, a second each, so that other work on the machine meets them alike. A figure is CPU
-//! time of the thread that scans, with all that the gate makes it do.
+//! while its status is looked at. Eight threads that sleep as often and never come in show what the wake-ups of the computer cost by
+//! themselves. The kinds take turns, a second each, so that other work on the machine meets them alike. A figure is CPU time of the thread
+//! that scans, with all that the gate makes it do.
 #![allow(clippy::print_stdout)] // A measurement prints its figures.
 
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -34,20 +35,32 @@ const READERS: usize = 8;
 /// What a scan is to take.
 const SCAN_US: f64 = 1_000.0;
 
-/// What goes on outside.
+/// What one of the eight does 1,000 times a second.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Outside {
-    Nobody,
-    Readers,
-    Status,
-    ReadersAndStatus,
+enum Eight {
+    Rest,
+    /// They wake up and never come in.
+    Sleep,
+    Read,
 }
 
-const KINDS: [(&str, Outside); 4] = [
-    ("nobody", Outside::Nobody),
-    ("one reader at full speed, eight at 1,000/s", Outside::Readers),
-    ("the status of a scan is looked at", Outside::Status),
-    ("all of them", Outside::ReadersAndStatus),
+/// What goes on outside.
+struct Kind {
+    name: &'static str,
+    /// Whether one reader asks at full speed.
+    full_speed: bool,
+    eight: Eight,
+    /// Whether the status of a scan is looked at.
+    status: bool,
+}
+
+const KINDS: [Kind; 6] = [
+    Kind { name: "nothing", full_speed: false, eight: Eight::Rest, status: false },
+    Kind { name: "eight threads that only sleep, 1,000/s", full_speed: false, eight: Eight::Sleep, status: false },
+    Kind { name: "one reader at full speed", full_speed: true, eight: Eight::Rest, status: false },
+    Kind { name: "one reader at full speed, eight at 1,000/s", full_speed: true, eight: Eight::Read, status: false },
+    Kind { name: "the status of a scan is looked at", full_speed: false, eight: Eight::Rest, status: true },
+    Kind { name: "one reader, eight, and the status", full_speed: true, eight: Eight::Read, status: true },
 ];
 
 fn source(rounds: u32) -> String {
@@ -83,21 +96,23 @@ struct Around<'a> {
     kind: &'a AtomicUsize,
     over: &'a AtomicBool,
     last: Option<(usize, f64, u64)>,
-    used_us: [f64; KINDS.len()],
-    scans: [u64; KINDS.len()],
+    /// CPU time of each scan.
+    scans_us: [Vec<f64>; KINDS.len()],
 }
 
 impl Surroundings for Around<'_> {
     fn at_point(&mut self, plant: &mut Plant) {
         let (kind, us, scans) = (self.kind.load(Ordering::Relaxed), thread_us(), plant.scans);
-        // The scan in which a turn begins belongs to nobody.
-        if let Some((before, then, counted)) = self.last
-            && before == kind
-        {
-            self.used_us[kind] += us - then;
-            self.scans[kind] += scans - counted;
+        match self.last {
+            // What comes between two scans is a part of the next one.
+            Some((before, _, counted)) if before == kind && counted == scans => {}
+            // The scan in which another kind begins is not counted.
+            Some((before, then, counted)) if before == kind && counted + 1 == scans => {
+                self.scans_us[kind].push(us - then);
+                self.last = Some((kind, us, scans));
+            }
+            _ => self.last = Some((kind, us, scans)),
         }
-        self.last = Some((kind, us, scans));
     }
 
     fn is_ended(&self) -> bool {
@@ -119,34 +134,45 @@ fn rounds() -> u32 {
     ((100.0 * SCAN_US * 200.0 / (thread_us() - begin)) as u32).clamp(1, 30_000)
 }
 
+/// The value below which this part of them lies.
+fn at(sorted: &[f64], part: f64) -> f64 {
+    sorted.get((sorted.len() as f64 * part) as usize).copied().unwrap_or_default()
+}
+
 fn main() {
-    let seconds = std::env::args().filter_map(|argument| argument.parse::<u64>().ok()).next_back().unwrap_or(240);
+    let seconds = std::env::args().filter_map(|argument| argument.parse::<u64>().ok()).next_back().unwrap_or(360);
     let begin = Instant::now();
     let clock = move || begin.elapsed().as_micros() as u64;
     let gate = Gate::new(Plant::new(cpu(rounds()), Pace::new(Speed::Factor(1.0), CYCLE_US, u64::MAX, clock())), Box::new(clock));
     let (desk, kind, over) = (Desk::default(), AtomicUsize::new(0), AtomicBool::new(false));
-    let wants = |kinds: [Outside; 2]| kinds.contains(&KINDS[kind.load(Ordering::Relaxed)].1);
-    let reads = || wants([Outside::Readers, Outside::ReadersAndStatus]);
+    let now = || &KINDS[kind.load(Ordering::Relaxed)];
     let goes_on = || !over.load(Ordering::Relaxed);
-    let mut around = Around { kind: &kind, over: &over, last: None, used_us: [0.0; 4], scans: [0; 4] };
+    let mut around = Around { kind: &kind, over: &over, last: None, scans_us: Default::default() };
     let mut waits = std::thread::scope(|scope| {
         scope.spawn(|| desk.replay(|| !goes_on()));
         let readers: Vec<_> = (0..=READERS)
             .map(|reader| {
-                let (gate, reads, goes_on) = (&gate, &reads, &goes_on);
+                let (gate, now, goes_on) = (&gate, &now, &goes_on);
                 scope.spawn(move || {
                     let items = [Item::area(Area::BitMemory, 0, 64), Item::data(1, 0, 222)];
                     let mut waits = Vec::new();
                     while goes_on() {
-                        if !reads() {
+                        let does = match reader {
+                            0 if now().full_speed => Eight::Read,
+                            0 => Eight::Rest,
+                            _ => now().eight,
+                        };
+                        if does == Eight::Rest {
                             std::thread::sleep(Duration::from_millis(20));
                             continue;
                         }
                         let asked = Instant::now();
-                        if gate.read(&items).is_err() {
-                            break;
+                        if does == Eight::Read {
+                            if gate.read(&items).is_err() {
+                                break;
+                            }
+                            waits.push(asked.elapsed().as_secs_f64() * 1e6);
                         }
-                        waits.push(asked.elapsed().as_secs_f64() * 1e6);
                         if reader > 0 {
                             std::thread::sleep(Duration::from_millis(1).saturating_sub(asked.elapsed()));
                         }
@@ -157,7 +183,7 @@ fn main() {
             .collect();
         scope.spawn(|| {
             while goes_on() {
-                if !wants([Outside::Status, Outside::ReadersAndStatus]) {
+                if !now().status {
                     std::thread::sleep(Duration::from_millis(20));
                     continue;
                 }
@@ -177,14 +203,22 @@ fn main() {
         gate.close();
         readers.into_iter().flat_map(|reader| reader.join().expect("a reader")).collect::<Vec<f64>>()
     });
-    let mean = |kind: usize| around.used_us[kind] / around.scans[kind].max(1) as f64;
     println!("cycle {} ms, {seconds} s", CYCLE_US / 1_000);
-    for (index, (text, _)) in KINDS.iter().enumerate() {
-        let (scans, us) = (around.scans[index], mean(index));
-        println!("{text:45} {us:8.1} µs a scan  {:+5.1} %  {scans} scans", (us / mean(0) - 1.0) * 100.0);
+    let mut alone = None;
+    for (kind, scans_us) in KINDS.iter().zip(&mut around.scans_us) {
+        scans_us.sort_by(f64::total_cmp);
+        let (mean, median) = (scans_us.iter().sum::<f64>() / scans_us.len().max(1) as f64, at(scans_us, 0.5));
+        let (alone_mean, alone_median) = *alone.get_or_insert((mean, median));
+        let more = |us: f64, alone: f64| (us / alone - 1.0) * 100.0;
+        println!(
+            "{:45} mean {mean:8.1} µs  {:+5.1} %   median {median:8.1} µs  {:+5.1} %  {} scans",
+            kind.name,
+            more(mean, alone_mean),
+            more(median, alone_median),
+            scans_us.len()
+        );
     }
     waits.sort_by(f64::total_cmp);
-    let at = |part: f64| waits.get((waits.len() as f64 * part) as usize).copied().unwrap_or_default();
-    println!("{} reads of 286 bytes; they took {:.1} µs (median), {:.1} µs (99 %)", waits.len(), at(0.5), at(0.99));
+    println!("{} reads of 286 bytes; they took {:.1} µs (median), {:.1} µs (99 %)", waits.len(), at(&waits, 0.5), at(&waits, 0.99));
     println!("longest cycle {} µs", gate.finish(|plant| plant.cpu.cycle_times().max));
 }
