@@ -1,2 +1,4 @@
-//! Protocol servers (none yet).
+//! Protocol servers: the way to a running CPU over the network.
 #![forbid(unsafe_code)]
+
+pub mod config;

@@ -2,6 +2,7 @@
 
 mod cyclic;
 pub mod modules;
+pub mod servers;
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
