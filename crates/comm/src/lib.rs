@@ -1,4 +1,5 @@
-//! Protocol servers: the way to a running CPU over the network.
+//! Protocol servers: how a running CPU is reached over a network.
 #![forbid(unsafe_code)]
 
 pub mod config;
+pub mod s7comm;
