@@ -41,7 +41,7 @@ pub struct S7 {
 
 /// A password as a CPU has it: eight characters, short ones filled with spaces.
 #[derive(Clone, PartialEq, Eq)]
-pub struct Password([u8; 8]);
+pub struct Password([u8; Password::CHARACTERS_MAX]);
 
 impl Password {
     /// Most characters.
@@ -57,9 +57,9 @@ impl Password {
         })
     }
 
-    /// Whether these eight characters are it; takes the same time whatever they are.
-    pub fn is(&self, characters: [u8; 8]) -> bool {
-        self.0.iter().zip(characters).fold(0, |differs, (own, other)| differs | own ^ other) == 0
+    /// Its eight characters.
+    pub fn characters(&self) -> [u8; Self::CHARACTERS_MAX] {
+        self.0
     }
 }
 
@@ -69,8 +69,8 @@ impl fmt::Debug for Password {
     }
 }
 
-/// What variables belong to, as an allow-list speaks of them.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+/// Which variables an entry of an allow-list is about.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Scope {
     /// I.
     Inputs,
@@ -84,17 +84,17 @@ pub enum Scope {
     Timers,
     /// C.
     Counters,
-    /// One data block.
-    DataBlock(u16),
+    /// Data blocks with these numbers.
+    DataBlocks(RangeInclusive<u16>),
 }
 
-/// What is done to a variable.
+/// What may be done to variables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Access {
-    /// It is read.
+    /// They are read.
     Read,
-    /// It is written.
-    Write,
+    /// They are read and written.
+    ReadAndWrite,
 }
 
 /// Which writes a log has.
@@ -121,14 +121,10 @@ pub struct AuditLog {
 /// An entry of an allow-list.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Allowed {
-    what: What,
-    access: Access,
-}
-
-#[derive(Clone, Debug, PartialEq, Eq)]
-enum What {
-    Area(Scope),
-    DataBlocks(RangeInclusive<u16>),
+    /// Which variables.
+    pub scope: Scope,
+    /// What may be done to them.
+    pub access: Access,
 }
 
 /// How an allow-list names the areas, in both mnemonic languages.
@@ -150,29 +146,19 @@ impl Allowed {
         let text = text.trim().to_ascii_uppercase();
         let (what, access) = match text.strip_suffix("READ") {
             Some(what) if what.ends_with(char::is_whitespace) => (what.trim_end(), Access::Read),
-            _ => (text.as_str(), Access::Write),
+            _ => (text.as_str(), Access::ReadAndWrite),
         };
-        let what = match AREAS.iter().find(|(name, _)| *name == what) {
-            Some((_, scope)) => What::Area(*scope),
+        let scope = match AREAS.iter().find(|(name, _)| *name == what) {
+            Some((_, scope)) => scope.clone(),
             None => {
                 let numbers = what.strip_prefix("DB")?;
                 let number = |text: &str| text.trim().parse::<u16>().ok().filter(|&number| number > 0);
                 let (first, last) = numbers.split_once("..").unwrap_or((numbers, numbers));
                 let range = number(first)?..=number(last)?;
-                (!range.is_empty()).then_some(What::DataBlocks(range))?
+                (!range.is_empty()).then_some(Scope::DataBlocks(range))?
             }
         };
-        Some(Self { what, access })
-    }
-
-    /// Whether a variable of this scope is accessed in this way; what is written is read too.
-    pub fn covers(&self, scope: Scope, access: Access) -> bool {
-        let is_in = match (&self.what, scope) {
-            (What::DataBlocks(numbers), Scope::DataBlock(number)) => numbers.contains(&number),
-            (What::Area(area), scope) => *area == scope,
-            _ => false,
-        };
-        is_in && (access == Access::Read || self.access == Access::Write)
+        Some(Self { scope, access })
     }
 }
 
@@ -182,6 +168,9 @@ mod tests {
 
     #[test]
     fn entries_of_an_allow_list_are_read_and_others_are_not() {
+        let blocks = Allowed::parse("db10 ..19 read").expect("an entry");
+        assert_eq!(blocks, Allowed { scope: Scope::DataBlocks(10..=19), access: Access::Read });
+        assert_eq!(Allowed::parse("e"), Some(Allowed { scope: Scope::Inputs, access: Access::ReadAndWrite }));
         for text in ["M", "e", "Z read", "DB1", "DB 7", "db10..19", "DB10 .. 19 READ", "DB65535"] {
             assert!(Allowed::parse(text).is_some(), "{text}");
         }
@@ -191,11 +180,9 @@ mod tests {
     }
 
     #[test]
-    fn a_password_is_compared_with_its_spaces() {
+    fn a_password_has_up_to_eight_characters_and_is_not_shown() {
         let password = Password::new("secret").expect("a password");
-        assert!(password.is(*b"secret  "));
-        assert!(!password.is(*b"secret1 "));
-        assert!(!password.is(*b"        "));
+        assert_eq!(password.characters(), *b"secret  ");
         for text in ["", "ninechars", "ü", "tab\t"] {
             assert_eq!(Password::new(text), None, "{text}");
         }
