@@ -4,3 +4,4 @@
 pub mod config;
 pub mod recording;
 pub mod s7comm;
+pub mod server;

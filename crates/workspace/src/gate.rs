@@ -58,6 +58,11 @@ impl Plant {
         self.start = Some((restart, by));
     }
 
+    /// Whether a start has been asked for that the thread that scans has not carried out yet.
+    pub fn is_start_wanted(&self) -> bool {
+        self.start.is_some()
+    }
+
     /// Whether a CPU in STOP waits for a start instead of ending the run.
     pub fn wait_in_stop(&mut self, waits: bool) {
         self.waits_in_stop = waits;
