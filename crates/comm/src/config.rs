@@ -4,14 +4,13 @@ use std::net::{IpAddr, Ipv4Addr, SocketAddr};
 
 use sieben_cpu::ProtectionLevel;
 use sieben_model::cpu_type::CpuType;
+pub use sieben_workspace::settings::servers::CONNECTIONS_MAX;
 use sieben_workspace::settings::servers::{Access, Allowed, AuditLog, Password, S7, Scope};
 
 use crate::s7comm::guard::{self, AllowedArea, Rules, Writing};
 
 /// Where a server listens that is asked for nothing else.
 pub const LISTEN: SocketAddr = SocketAddr::new(IpAddr::V4(Ipv4Addr::LOCALHOST), 1102);
-/// Most connections at a time.
-pub const CONNECTIONS_MAX: usize = 64;
 /// Most connections of one address at a time: half of all, so that no client alone keeps the others out.
 pub const CONNECTIONS_OF_ADDRESS_MAX: usize = 32;
 
