@@ -1,2 +1,4 @@
-//! Protocol servers (none yet).
+//! Protocol servers: how a running CPU is reached over a network.
 #![forbid(unsafe_code)]
+
+pub mod s7comm;

@@ -1,0 +1,13 @@
+//! Bytes of the protocol and what they mean, layer by layer. Every slice is checked: nothing that comes from a network panics here.
+//!
+//! A group of userdata has a file with `read` (the request as a job, by its subfunction and the bytes after `FF 09` and the length) and `write` (the
+//! answer to that job as [`userdata::Content`]); the envelope and the fragments are in `userdata`.
+
+pub mod blocks;
+pub mod clock;
+pub mod codes;
+pub mod names;
+pub mod security;
+pub mod services;
+pub mod system_status;
+pub mod userdata;
