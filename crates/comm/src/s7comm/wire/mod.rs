@@ -3,6 +3,7 @@
 //! A group of userdata has a file with `read` (the request as a job, by its subfunction and the bytes after `FF 09` and the length) and `write` (the
 //! answer to that job as [`userdata::Content`]); the envelope and the fragments are in `userdata`.
 
+pub mod block_image;
 pub mod blocks;
 pub mod clock;
 pub mod codes;
