@@ -37,8 +37,6 @@ pub struct Config {
     pub audit: Option<AuditLog>,
     /// The file that frames are recorded in.
     pub pcap: Option<String>,
-    /// How long a client may read nothing of what it is sent, in microseconds.
-    pub unread_us_max: u64,
 }
 
 impl Default for Config {
@@ -61,7 +59,6 @@ impl Config {
             strict_slot: file.strict_slot == Some(true),
             audit: file.audit.clone(),
             pcap: file.pcap.clone(),
-            unread_us_max: 10_000_000,
         }
     }
 

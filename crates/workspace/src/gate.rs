@@ -58,8 +58,8 @@ impl Plant {
         self.start = Some((restart, by));
     }
 
-    /// Whether a start has been asked for that the thread that scans has not carried out yet.
-    pub fn is_start_wanted(&self) -> bool {
+    /// Whether a start that somebody asked for is still to come.
+    pub fn is_about_to_start(&self) -> bool {
         self.start.is_some()
     }
 
@@ -200,7 +200,14 @@ impl Gate {
         if self.is_closed() {
             return Err(Closed);
         }
-        Ok(work(&mut plant))
+        let done = work(&mut plant);
+        let starts = plant.start.is_some();
+        drop(plant);
+        // In STOP the thread that scans may rest for long.
+        if starts {
+            self.wake();
+        }
+        Ok(done)
     }
 
     /// Comes in as often as the jobs take, a portion at a time.

@@ -59,8 +59,6 @@ pub enum Change {
     Closed,
     /// It was refused because of a limit.
     Refused,
-    /// It was cut off because it read nothing of what it was sent.
-    CutOff,
 }
 
 impl Change {
@@ -69,7 +67,6 @@ impl Change {
             Self::Connected => "connect",
             Self::Closed => "close",
             Self::Refused => "refuse",
-            Self::CutOff => "cut_off",
         }
     }
 }
@@ -86,7 +83,7 @@ impl Audit {
 
     /// Notes what happened to a connection.
     pub fn connection(&mut self, peer: SocketAddr, change: Change, at: At) {
-        if matches!(change, Change::Closed | Change::CutOff) {
+        if change == Change::Closed {
             let of_peer: Vec<Key> = self.merged.keys().filter(|(other, _)| *other == peer).cloned().collect();
             of_peer.iter().for_each(|key| self.end_merging(key));
         }

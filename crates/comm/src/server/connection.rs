@@ -25,8 +25,6 @@ pub(super) struct Connection {
     pub(super) since_us: u64,
     /// When bytes came last.
     pub(super) heard_us: u64,
-    /// When bytes were taken last, or since when some wait.
-    pub(super) progress_us: u64,
     pub(super) bytes_in: u64,
     pub(super) bytes_out: u64,
     /// What it is in the recording.
@@ -52,18 +50,13 @@ impl Connection {
         self.is_gone || says_nothing && (self.session.is_over() || self.has_ended && !self.session.wants_in())
     }
 
-    /// Until when the other side has to take something of what it is sent.
-    pub(super) fn must_read_us(&self, unread_us_max: u64) -> Option<u64> {
-        (!self.session.output().is_empty()).then(|| self.progress_us.saturating_add(unread_us_max))
-    }
-
     /// What is said about it.
     pub(super) fn view(&self) -> ConnectionView {
         ConnectionView {
             number: self.number,
             peer: self.peer,
             since_us: self.since_us,
-            pdu_bytes: None,
+            pdu_bytes: self.session.pdu_bytes(),
             heard_us: self.heard_us,
             bytes_in: self.bytes_in,
             bytes_out: self.bytes_out,

@@ -223,7 +223,6 @@ impl EventLoop {
             is_gone: false,
             since_us: now_us,
             heard_us: now_us,
-            progress_us: now_us,
             bytes_in: 0,
             bytes_out: 0,
             flow,
@@ -284,18 +283,18 @@ impl EventLoop {
                         done += 1;
                     }
                     if done >= PORTION_JOBS || gate.now_us() >= end_us {
-                        return (next, plant.is_start_wanted());
+                        return (next, plant.is_about_to_start());
                     }
                 }
             }
-            (next, plant.is_start_wanted())
+            (next, plant.is_about_to_start())
         });
         // A run that is over ends the server in this iteration.
-        let Ok((next, is_start_wanted)) = entered else { return };
+        let Ok((next, is_about_to_start)) = entered else { return };
         self.first = next;
         self.counters.entries += 1;
         self.counters.jobs += done as u64;
-        if is_start_wanted {
+        if is_about_to_start {
             self.gate.wake();
         }
     }
@@ -332,7 +331,6 @@ impl EventLoop {
         for connection in self.connections.values_mut() {
             let output = connection.session.output();
             if output.is_empty() || connection.is_gone {
-                connection.progress_us = now_us;
                 continue;
             }
             match sockets::write(&connection.stream, output) {
@@ -343,10 +341,11 @@ impl EventLoop {
                         let sent = output.get(..count).unwrap_or_default();
                         frames.bytes(flow, Direction::Out, sent, (self.clock)(), &format!("after scan {}", self.scan));
                     }
-                    connection.progress_us = now_us;
                     connection.bytes_out += count as u64;
                     self.counters.bytes_out += count as u64;
                     connection.session.sent(count, now_us);
+                    // There may be room again for what waits.
+                    connection.session.tick(&mut self.shared, now_us);
                 }
             }
         }
@@ -357,9 +356,8 @@ impl EventLoop {
         let now_us = self.gate.now_us();
         let mut leaving = Vec::new();
         for connection in self.connections.values_mut() {
-            let is_stuck = connection.must_read_us(self.config.unread_us_max).is_some_and(|at| at <= now_us);
-            if is_stuck || connection.is_done() {
-                leaving.push((connection.number, is_stuck));
+            if connection.is_done() {
+                leaving.push(connection.number);
                 continue;
             }
             let wants = connection.wants();
@@ -370,16 +368,14 @@ impl EventLoop {
                 }
             }
         }
-        for (number, is_stuck) in leaving {
-            self.part(number, if is_stuck { Change::CutOff } else { Change::Closed }, now_us);
-        }
+        leaving.into_iter().for_each(|number| self.part(number, now_us));
         self.closing.retain(|(_, closing)| closing.until_us > now_us);
     }
 
     /// Ends a connection.
-    fn part(&mut self, number: u64, change: Change, now_us: u64) {
+    fn part(&mut self, number: u64, now_us: u64) {
         let Some(mut connection) = self.connections.remove(&number) else { return };
-        self.note(connection.peer, change, now_us);
+        self.note(connection.peer, Change::Closed, now_us);
         if let (Some(frames), Some(flow)) = (&self.recorders.frames, &mut connection.flow) {
             let time_us = (self.clock)();
             if connection.has_ended {
@@ -387,11 +383,8 @@ impl EventLoop {
             }
             frames.end(flow, Direction::Out, time_us);
         }
-        if change == Change::CutOff {
-            self.counters.cut_off += 1;
-        }
         self.poll.remove(&connection.stream);
-        if !connection.is_gone && change != Change::CutOff {
+        if !connection.is_gone {
             self.close(number, connection.stream, now_us);
         }
     }
@@ -418,7 +411,7 @@ impl EventLoop {
         }
         let now_us = self.gate.now_us();
         let numbers: Vec<u64> = self.connections.keys().copied().collect();
-        numbers.into_iter().for_each(|number| self.part(number, Change::Closed, now_us));
+        numbers.into_iter().for_each(|number| self.part(number, now_us));
         self.show();
     }
 
@@ -427,11 +420,7 @@ impl EventLoop {
         if self.listener.is_some() && self.connections.values().any(|one| one.session.wants_in()) {
             return Some(0);
         }
-        let of_connection = |one: &Connection| {
-            let must_read = one.must_read_us(self.config.unread_us_max);
-            [one.session.wake_us(), must_read].into_iter().flatten().min()
-        };
-        let dues = self.connections.values().filter_map(of_connection);
+        let dues = self.connections.values().filter_map(|one| one.session.wake_us());
         let dues = dues.chain(self.closing.iter().map(|(_, closing)| closing.until_us)).chain(self.accepts_us);
         let due = dues.chain(self.recorders.audit.as_ref().and_then(|audit| audit.wake_us())).min()?;
         Some(due.saturating_sub(self.gate.now_us()).max(PATIENCE_US))

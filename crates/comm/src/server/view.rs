@@ -23,7 +23,7 @@ pub struct ConnectionView {
     /// When it came, in microseconds of the gate's clock.
     pub since_us: u64,
     /// How long its PDUs are; `None` before the setup.
-    pub pdu_bytes: Option<u16>,
+    pub pdu_bytes: Option<usize>,
     /// When bytes came last, in microseconds of the gate's clock.
     pub heard_us: u64,
     /// Bytes that came.
@@ -39,8 +39,6 @@ pub struct Counters {
     pub connections: u64,
     /// Connections that were refused because of a limit.
     pub refused: u64,
-    /// Connections that were cut off because they read nothing of what they were sent.
-    pub cut_off: u64,
     /// Requests by function.
     pub requests: Requests,
     /// Jobs that were done at the gate.
