@@ -58,6 +58,11 @@ impl Plant {
         self.start = Some((restart, by));
     }
 
+    /// Whether a start that somebody asked for is still to come.
+    pub fn is_about_to_start(&self) -> bool {
+        self.start.is_some()
+    }
+
     /// Whether a CPU in STOP waits for a start instead of ending the run.
     pub fn wait_in_stop(&mut self, waits: bool) {
         self.waits_in_stop = waits;
@@ -195,7 +200,14 @@ impl Gate {
         if self.is_closed() {
             return Err(Closed);
         }
-        Ok(work(&mut plant))
+        let done = work(&mut plant);
+        let starts = plant.start.is_some();
+        drop(plant);
+        // In STOP the thread that scans may rest for long.
+        if starts {
+            self.wake();
+        }
+        Ok(done)
     }
 
     /// Comes in as often as the jobs take, a portion at a time.
