@@ -210,11 +210,22 @@ impl Rules {
         Ok(())
     }
 
-    /// Judges a function, whatever it is about.
+    /// Judges a download before the block has come.
     ///
     /// # Errors
     /// It is refused.
-    pub fn judge_function(&self, function: Function, legitimation: Legitimation) -> Result<(), Refusal> {
+    pub fn judge_download(&self, name: BlockName, legitimation: Legitimation) -> Result<(), Refusal> {
+        self.judge_function(Function::Download, legitimation)?;
+        self.judge_block(name, Changes)
+    }
+
+    /// Whether single variables of a write job may be refused.
+    pub(super) fn limit_writes(&self) -> bool {
+        self.writing == Writing::ReadOnly || self.allow.is_some()
+    }
+
+    /// Judges a function, whatever it is about.
+    fn judge_function(&self, function: Function, legitimation: Legitimation) -> Result<(), Refusal> {
         let &(_, level, effect, _) = function.row();
         let protected = legitimation == Legitimation::None && level.is_some_and(|level| self.protection >= level);
         // Variables have codes of their own.

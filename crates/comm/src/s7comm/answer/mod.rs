@@ -1,5 +1,7 @@
 //! What the CPU does about a job.
 
+mod variables;
+
 use sieben_cpu::Requester;
 use sieben_workspace::gate::Plant;
 
@@ -12,6 +14,10 @@ pub struct Surroundings {}
 
 /// Does a job at the cycle control point. It was looked at by [`super::guard`] before.
 pub fn perform(job: &Job, plant: &mut Plant, around: &mut Surroundings, by: Requester) -> Reply {
-    let _ = (job, plant, around, by);
-    Reply::Refused(Refusal::NotImplemented)
+    let _ = (around, by);
+    match job {
+        Job::Read(items) => variables::read(plant, items),
+        Job::Write(items) => variables::write(plant, items),
+        _ => Reply::Refused(Refusal::NotImplemented),
+    }
 }

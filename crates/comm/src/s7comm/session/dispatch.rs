@@ -73,7 +73,7 @@ impl Session {
         let (job, form) = match code {
             setup::FUNCTION => {
                 count(Function::Setup);
-                return self.set_up(message, shared, now_us);
+                return self.set_up(message, shared);
             }
             variables::READ => {
                 count(Function::Read);
@@ -108,8 +108,7 @@ impl Session {
         Ok(Work::Job { job, form })
     }
 
-    fn set_up(&mut self, message: &Message<'_>, shared: &mut Shared, now_us: u64) -> Result<Work, Refusal> {
-        let _ = now_us;
+    fn set_up(&mut self, message: &Message<'_>, shared: &mut Shared) -> Result<Work, Refusal> {
         let (Stage::Connected { tpdu_bytes } | Stage::Ready { tpdu_bytes, .. }) = self.stage else { return Err(Refusal::WrongSequence) };
         let agreed = setup::read(message.parameters)?.agreed(self.rules.cpu, tpdu_bytes);
         self.stage = Stage::Ready { tpdu_bytes, pdu_bytes: usize::from(agreed.pdu_bytes) };
@@ -125,7 +124,7 @@ impl Session {
         let reference = self.next_own_reference();
         let judged = self
             .rules
-            .judge_function(Function::Download, self.legitimation)
+            .judge_download(announced.name, self.legitimation)
             .and_then(|()| Incoming::new(announced, &self.rules, reference, now_us));
         let download =
             judged.inspect_err(|refusal| self.event(shared, message.reference, What::Download(announced.name), refusal.code()))?;
@@ -211,11 +210,14 @@ impl Session {
                     self.queue.put_back(reference, work);
                 }
                 Work::Job { job, form } => {
-                    let asked = job.clone();
+                    // The audit log keeps what the rules take out of it.
+                    let asked = (matches!(job, Job::Write(_)) && self.rules.limit_writes()).then(|| job.clone());
                     let mut job = job;
                     match self.rules.judge(&mut job, self.legitimation) {
                         Ok(()) => {
-                            events::refused_items(self.peer, reference, &asked, &job, &mut shared.events);
+                            if let Some(asked) = asked {
+                                events::refused_items(self.peer, reference, &asked, &job, &mut shared.events);
+                            }
                             self.queue.put_back(reference, Work::Ready { job, form });
                             return;
                         }

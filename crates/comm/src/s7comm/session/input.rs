@@ -19,6 +19,8 @@ pub(super) struct Input {
     fragments: Option<Vec<u8>>,
     /// Since when something is incomplete.
     since_us: Option<u64>,
+    /// Nothing is looked at until there is room for what comes of it.
+    pub(super) waits: bool,
 }
 
 /// What a client has sent.
@@ -52,6 +54,7 @@ impl Input {
     /// # Errors
     /// What came is not this protocol.
     pub(super) fn next(&mut self, now_us: u64) -> Result<Option<Arrived>, Broken> {
+        self.waits = false;
         loop {
             let Some((tpdu, length)) = tpkt::split(self.bytes.get(self.looked_at..).unwrap_or(&[]))? else {
                 let incomplete = self.looked_at < self.bytes.len() || self.fragments.is_some();
@@ -96,6 +99,7 @@ impl Input {
     /// Nothing is looked at for now: the client cannot be blamed for what is incomplete.
     pub(super) fn wait(&mut self) {
         self.since_us = None;
+        self.waits = true;
     }
 
     /// When the client has had time enough for what it has begun.

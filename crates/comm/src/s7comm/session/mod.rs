@@ -177,7 +177,9 @@ impl Session {
     pub fn wake_us(&self) -> Option<u64> {
         let setup_us = (!self.is_ready() && !self.is_over()).then(|| self.begun_us.saturating_add(SETUP_US_MAX));
         let input_us = if self.is_over() { None } else { self.input.given_up_us() };
-        [setup_us, input_us, self.output.given_up_us(), self.queue.wake_us()].into_iter().flatten().min()
+        // There is room again for what came before: at once.
+        let room_us = (self.input.waits && self.reads()).then_some(0);
+        [room_us, setup_us, input_us, self.output.given_up_us(), self.queue.wake_us()].into_iter().flatten().min()
     }
 
     /// Looks at the time: deadlines, answers that were held back, jobs that take longer; also whether there is room again for what waits.

@@ -1,7 +1,7 @@
 //! Blocks on their way: uploads, whose pieces the client asks for, and a download, where the CPU asks.
 
 use crate::s7comm::guard::Rules;
-use crate::s7comm::job::{BlockName, Download};
+use crate::s7comm::job::Download;
 use crate::s7comm::wire::More;
 use crate::s7comm::wire::codes::Refusal;
 use crate::s7comm::wire::header::{self, Message};
@@ -132,11 +132,6 @@ impl Incoming {
         }
         let until_us = now_us.saturating_add(WAIT_US_MAX);
         Ok(Self { announced, image: Vec::new(), stage: Stage::Pieces, reference, until_us })
-    }
-
-    /// The block.
-    pub(super) fn name(&self) -> BlockName {
-        self.announced.name
     }
 
     /// Whether the client has not answered for too long.
