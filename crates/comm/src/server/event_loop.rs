@@ -110,7 +110,7 @@ impl EventLoop {
     /// Serves until it is told to end, or the run is over.
     pub(super) fn run(&mut self) {
         let mut ready = Vec::new();
-        while self.listener.is_some() || !self.closing.is_empty() {
+        loop {
             self.take_in(&ready);
             self.tick();
             self.serve();
@@ -120,6 +120,9 @@ impl EventLoop {
             self.show();
             if self.listener.is_some() && (self.common.ends.load(Ordering::Acquire) || self.gate.is_closed()) {
                 self.end();
+            }
+            if self.listener.is_none() && self.closing.is_empty() {
+                return;
             }
             self.poll.wait(self.timeout_us(), &mut ready);
         }
