@@ -11,6 +11,20 @@ pub enum Speed {
 
 /// Least and greatest factor that users can ask for.
 const FACTORS: std::ops::RangeInclusive<f64> = 0.001..=10_000.0;
+/// The speeds that the keys of a screen step through.
+const STEPS: [Speed; 11] = [
+    Speed::Factor(0.1),
+    Speed::Factor(0.25),
+    Speed::Factor(0.5),
+    Speed::Factor(1.0),
+    Speed::Factor(2.0),
+    Speed::Factor(5.0),
+    Speed::Factor(10.0),
+    Speed::Factor(20.0),
+    Speed::Factor(50.0),
+    Speed::Factor(100.0),
+    Speed::Max,
+];
 
 impl Speed {
     /// Reads `1x`, `0.5x`, `10` or `max`.
@@ -26,6 +40,23 @@ impl Speed {
             Ok(factor) if FACTORS.contains(&factor) => Ok(Self::Factor(factor)),
             _ => Err(format!("`{text}` is no speed; write `1x`, `0.5x`, `10x` (0.001x to 10000x) or `max`")),
         }
+    }
+
+    /// The next faster one that a key sets; the fastest one stays.
+    #[must_use]
+    pub fn faster(self) -> Self {
+        STEPS.into_iter().find(|step| step.times() > self.times()).unwrap_or(self)
+    }
+
+    /// The next slower one that a key sets; the slowest one stays.
+    #[must_use]
+    pub fn slower(self) -> Self {
+        STEPS.into_iter().rev().find(|step| step.times() < self.times()).unwrap_or(self)
+    }
+
+    /// How many times as fast as real time; without end for [`Self::Max`].
+    fn times(self) -> f64 {
+        if let Self::Factor(factor) = self { factor } else { f64::INFINITY }
     }
 
     /// Whether the CPU has the time of the computer.
@@ -161,6 +192,20 @@ mod tests {
         for speed in [Speed::Factor(1.0), Speed::Factor(0.25), Speed::Max] {
             assert_eq!(Speed::parse(&speed.to_string()), Ok(speed));
         }
+    }
+
+    #[test]
+    fn keys_step_through_the_speeds() {
+        let (mut speed, mut seen) = (Speed::Factor(0.001), Vec::new());
+        while speed != speed.faster() {
+            speed = speed.faster();
+            seen.push(speed);
+        }
+        assert_eq!(seen, STEPS);
+        assert_eq!(Speed::Factor(3.0).slower(), Speed::Factor(2.0));
+        assert_eq!(Speed::Factor(3.0).faster(), Speed::Factor(5.0));
+        assert_eq!(Speed::Max.slower(), Speed::Factor(100.0));
+        assert_eq!(Speed::Factor(0.1).slower(), Speed::Factor(0.1));
     }
 
     #[test]

@@ -20,21 +20,6 @@ const FRAME: Duration = Duration::from_millis(100);
 const BLOCKS: Duration = Duration::from_secs(2);
 /// How long a message stays.
 const MESSAGE: Duration = Duration::from_secs(5);
-/// The speeds that `+` and `-` step through.
-const SPEEDS: [Speed; 11] = [
-    Speed::Factor(0.1),
-    Speed::Factor(0.25),
-    Speed::Factor(0.5),
-    Speed::Factor(1.0),
-    Speed::Factor(2.0),
-    Speed::Factor(5.0),
-    Speed::Factor(10.0),
-    Speed::Factor(20.0),
-    Speed::Factor(50.0),
-    Speed::Factor(100.0),
-    Speed::Max,
-];
-
 /// How the screen was left.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Left {
@@ -129,19 +114,10 @@ fn act(onlooker: &mut Onlooker, command: Command, look: &Look) -> io::Result<Opt
         Command::OneScan => onlooker.command("time", &time("step")),
         Command::Faster | Command::Slower => {
             let now = Speed::parse(look.word("speed")).unwrap_or(Speed::Factor(1.0));
-            onlooker.command("time", &json!({ "time": "speed", "speed": next_speed(now, command).to_string() }))
+            let next = if command == Command::Faster { now.faster() } else { now.slower() };
+            onlooker.command("time", &json!({ "time": "speed", "speed": next.to_string() }))
         }
     }
-}
-
-/// The next speed of the list; the first or the last one stays.
-pub(super) fn next_speed(now: Speed, command: Command) -> Speed {
-    let factor = |speed: Speed| if let Speed::Factor(factor) = speed { factor } else { f64::INFINITY };
-    let next = match command {
-        Command::Slower => SPEEDS.into_iter().rev().find(|&speed| factor(speed) < factor(now)),
-        _ => SPEEDS.into_iter().find(|&speed| factor(speed) > factor(now)),
-    };
-    next.unwrap_or(now)
 }
 
 pub(super) fn command(key: KeyEvent) -> Option<Command> {

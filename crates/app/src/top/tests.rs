@@ -4,10 +4,9 @@ use ratatui::Terminal;
 use ratatui::backend::TestBackend;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use serde_json::{Value, json};
-use sieben_workspace::Speed;
 
 use super::draw::draw;
-use super::live::{Command, command, next_speed};
+use super::live::{Command, command};
 use super::look::{BYTES, Look, Watched};
 use crate::palette::Palette;
 
@@ -104,16 +103,6 @@ fn every_key_has_its_meaning() {
     ] {
         assert_eq!(command(KeyEvent::new(code, modifiers)), meant, "{code:?}");
     }
-}
-
-#[test]
-fn speeds_go_up_to_the_most_and_down_to_the_least() {
-    assert_eq!(next_speed(Speed::Factor(1.0), Command::Faster), Speed::Factor(2.0));
-    assert_eq!(next_speed(Speed::Factor(3.0), Command::Slower), Speed::Factor(2.0));
-    assert_eq!(next_speed(Speed::Factor(100.0), Command::Faster), Speed::Max);
-    assert_eq!(next_speed(Speed::Max, Command::Faster), Speed::Max);
-    assert_eq!(next_speed(Speed::Max, Command::Slower), Speed::Factor(100.0));
-    assert_eq!(next_speed(Speed::Factor(0.1), Command::Slower), Speed::Factor(0.1));
 }
 
 #[test]
