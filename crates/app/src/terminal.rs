@@ -26,9 +26,14 @@ pub(crate) fn shows_results() -> bool {
 pub(crate) fn interrupted() -> Arc<AtomicBool> {
     let interrupted = Arc::new(AtomicBool::new(false));
     let flag = Arc::clone(&interrupted);
-    // Without a handler Ctrl-C still ends the program, only less tidily.
-    let _ = ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed));
+    on_interrupt(move || flag.store(true, Ordering::Relaxed));
     interrupted
+}
+
+/// Does something when someone presses Ctrl-C.
+pub(crate) fn on_interrupt(act: impl FnMut() + Send + 'static) {
+    // Without a handler Ctrl-C still ends the program, only less tidily.
+    let _ = ctrlc::set_handler(act);
 }
 
 /// What came from a terminal.
