@@ -7,6 +7,7 @@ use clap::{Args, ValueEnum};
 use sieben_lang::symbols::assignment;
 use sieben_workspace::Speed;
 
+use crate::control::Server;
 use crate::duration::duration_argument;
 use crate::failure::{Exit, Failure};
 use crate::palette::Palette;
@@ -49,11 +50,20 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let session = Arc::new(Session::new(speed, arguments.time));
     let interrupted = Arc::clone(&session);
     terminal::on_interrupt(move || interrupted.end());
+    let server = Server::of_demo(&session.gate, &session.desk, &session.facts);
     if has_screen {
+        if let Err(without) = &server {
+            // The whole reason has no room there.
+            let _ = session.note(without.note());
+        }
         screen::run(&session, Palette::wanted()).map_err(|error| terminal::broken(&error))?;
     } else {
+        if let Err(without) = &server {
+            output::message(&without.to_string());
+        }
         print_changes(&session)?;
     }
+    drop(server);
     output::print(&farewell(&session.outcome()))?;
     Ok(Exit::Success)
 }

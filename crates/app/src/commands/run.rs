@@ -150,7 +150,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     if let Err(why) = &server
         && !arguments.json
     {
-        output::message(why);
+        output::message(&why.to_string());
     }
     let quiet = arguments.json;
     let (failed, status) = (None, Status::new());

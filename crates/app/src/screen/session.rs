@@ -11,6 +11,7 @@ use sieben_model::cpu_type::CpuType;
 use sieben_model::diagnostic::Severity;
 use sieben_model::source::{FileId, Sources};
 use sieben_model::symbols::SymbolTable;
+use sieben_workspace::control::{CurrentFacts, Facts};
 use sieben_workspace::gate::Clock;
 use sieben_workspace::pace::Missed;
 use sieben_workspace::status::Desk;
@@ -25,6 +26,8 @@ use super::plant::DosingTank;
 const PROGRAM: &str = include_str!("../../../../examples/dosing/dosing.awl");
 /// Its assignment table.
 const SYMBOLS: &str = include_str!("../../../../examples/dosing/symbols.csv");
+/// What those who come in from outside see as the name of the project.
+const NAME: &str = "demo";
 
 /// The demo.
 pub(crate) struct Session {
@@ -32,6 +35,8 @@ pub(crate) struct Session {
     pub(crate) gate: Arc<Gate>,
     /// Where the status of scans is asked for.
     pub(crate) desk: Arc<Desk>,
+    /// What those who come in from outside know of the program.
+    pub(crate) facts: Arc<CurrentFacts>,
     /// What the CPU is.
     pub(crate) cpu_type: &'static CpuType,
     /// The assignment table of the plant.
@@ -79,10 +84,12 @@ impl Session {
         let lines = listing::lines(&sources, &program, &symbols);
         let rack = Rack::with_background(cpu_type, vec![Box::new(DosingTank::new())]).expect("one module at byte 0 fits every CPU type");
         let cpu = Cpu::load(cpu_type, Arc::clone(&program), Jit::load, rack, Settings::default());
+        let facts = Facts { project: Some(NAME.to_owned()), symbols: symbols.clone(), sources, program, ..Facts::default() };
         Self {
             operator: Mutex::new(Operator::new(&symbols, &cpu)),
             gate: Arc::new(Gate::new(Plant::new(cpu, pace), clock)),
             desk: Arc::default(),
+            facts: Arc::new(CurrentFacts::new(facts)),
             cpu_type,
             symbols,
             lines,
@@ -108,6 +115,14 @@ impl Session {
     /// The demo is over.
     pub(crate) fn act(&self, action: Action) -> Result<(), Closed> {
         self.gate.command(|plant| self.operator().act(plant, action))
+    }
+
+    /// Adds a note to what changed.
+    ///
+    /// # Errors
+    /// The demo is over.
+    pub(crate) fn note(&self, text: &str) -> Result<(), Closed> {
+        self.gate.enter(|plant| self.operator().note(plant, text))
     }
 
     /// Comes in between two scans, to look at the CPU and at the operator.
