@@ -6,7 +6,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use ratatui::DefaultTerminal;
-use ratatui::crossterm::event::{Event, KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
+use ratatui::crossterm::event::KeyCode;
 use sieben_sim::devices::dosing::Button;
 use sieben_workspace::{Closed, Speed};
 
@@ -15,7 +15,7 @@ use super::operator::Action;
 use super::picture::Viewer;
 use super::session::Session;
 use crate::palette::Palette;
-use crate::terminal::{self, Input};
+use crate::terminal::{self, Input, Key};
 
 /// Time between two pictures.
 const FRAME: Duration = Duration::from_millis(33);
@@ -66,13 +66,12 @@ fn play(display: &mut DefaultTerminal, session: &Session, palette: Palette) -> i
         display.draw(|frame| draw::draw(frame, &picture, palette))?;
         let mut wait = FRAME.saturating_sub(began.elapsed());
         loop {
-            let event = match terminal::input(wait)? {
+            let key = match terminal::input(wait)? {
                 Input::Gone => return Ok(()),
-                Input::Nothing => break,
-                Input::Event(event) => event,
+                Input::Nothing | Input::Resized => break,
+                Input::Key(key) => key,
             };
             wait = Duration::ZERO;
-            let Event::Key(key) = event else { continue };
             let Some(command) = command(key) else { continue };
             if command == Command::Quit || carry_out(session, command).is_err() {
                 return Ok(());
@@ -104,16 +103,10 @@ fn carry_out(session: &Session, command: Command) -> Result<(), Closed> {
     }
 }
 
-fn command(key: KeyEvent) -> Option<Command> {
-    if key.kind == KeyEventKind::Release {
-        return None;
-    }
-    let control = key.modifiers.contains(KeyModifiers::CONTROL);
-    match key.code {
-        KeyCode::Char('c' | 'd') if control => Some(Command::Quit),
-        KeyCode::Char(_) if control => None,
-        KeyCode::Esc => Some(Command::Quit),
-        KeyCode::Char(character) => match character.to_ascii_lowercase() {
+fn command(key: Key) -> Option<Command> {
+    match key {
+        Key::Leave | Key::Plain(KeyCode::Esc) => Some(Command::Quit),
+        Key::Plain(KeyCode::Char(character)) => match character.to_ascii_lowercase() {
             'q' => Some(Command::Quit),
             's' => Some(Command::Act(Action::Push(Button::Start))),
             'x' => Some(Command::Act(Action::Push(Button::Stop))),
@@ -128,7 +121,7 @@ fn command(key: KeyEvent) -> Option<Command> {
             '-' => Some(Command::Slower),
             _ => None,
         },
-        _ => None,
+        Key::Plain(_) => None,
     }
 }
 
@@ -138,22 +131,17 @@ mod tests {
 
     #[test]
     fn every_way_to_leave_is_known() {
-        for (code, modifiers) in [
-            (KeyCode::Char('q'), KeyModifiers::NONE),
-            (KeyCode::Char('Q'), KeyModifiers::SHIFT),
-            (KeyCode::Char('c'), KeyModifiers::CONTROL),
-            (KeyCode::Esc, KeyModifiers::NONE),
-        ] {
-            assert_eq!(command(KeyEvent::new(code, modifiers)), Some(Command::Quit));
+        for key in [Key::Leave, Key::Plain(KeyCode::Esc), Key::Plain(KeyCode::Char('q')), Key::Plain(KeyCode::Char('Q'))] {
+            assert_eq!(command(key), Some(Command::Quit));
         }
-        assert_eq!(command(KeyEvent::new(KeyCode::Char('s'), KeyModifiers::CONTROL)), None);
+        assert_eq!(command(Key::Plain(KeyCode::Enter)), None);
     }
 
     #[test]
     fn keys_come_in_through_the_gate() {
         let session = Session::in_steps();
         let press = |letter| {
-            let command = command(KeyEvent::new(KeyCode::Char(letter), KeyModifiers::NONE)).expect("a key of the demo");
+            let command = command(Key::Plain(KeyCode::Char(letter))).expect("a key of the demo");
             carry_out(&session, command).expect("the gate is open");
         };
         let pace = || session.gate.enter(|plant| plant.pace.clone()).expect("the gate is open");

@@ -5,14 +5,14 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use ratatui::DefaultTerminal;
-use ratatui::crossterm::event::{Event, KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
+use ratatui::crossterm::event::KeyCode;
 use serde_json::json;
 use sieben_workspace::Speed;
 
 use super::draw;
 use super::look::{Look, Onlooker};
 use crate::palette::Palette;
-use crate::terminal::{self, Input};
+use crate::terminal::{self, Input, Key};
 
 /// Time between two looks.
 const FRAME: Duration = Duration::from_millis(100);
@@ -82,14 +82,13 @@ fn play(display: &mut DefaultTerminal, onlooker: &mut Onlooker, palette: Palette
         display.draw(|frame| draw::draw(frame, &look, palette, shown))?;
         let mut wait = FRAME.saturating_sub(began.elapsed());
         loop {
-            let event = match terminal::input(wait)? {
+            let key = match terminal::input(wait)? {
                 Input::Gone => return Ok(Left::ByUser),
-                Input::Nothing => break,
-                Input::Event(event) => event,
+                Input::Nothing | Input::Resized => break,
+                Input::Key(key) => key,
             };
             // The picture after a key comes at once.
             wait = Duration::ZERO;
-            let Event::Key(key) = event else { continue };
             match command(key) {
                 None => {}
                 Some(Command::Quit) => return Ok(Left::ByUser),
@@ -120,16 +119,10 @@ fn act(onlooker: &mut Onlooker, command: Command, look: &Look) -> io::Result<Opt
     }
 }
 
-pub(super) fn command(key: KeyEvent) -> Option<Command> {
-    if key.kind == KeyEventKind::Release {
-        return None;
-    }
-    let control = key.modifiers.contains(KeyModifiers::CONTROL);
-    match key.code {
-        KeyCode::Char('c' | 'd') if control => Some(Command::Quit),
-        KeyCode::Char(_) if control => None,
-        KeyCode::Esc => Some(Command::Quit),
-        KeyCode::Char(character) => match character.to_ascii_lowercase() {
+pub(super) fn command(key: Key) -> Option<Command> {
+    match key {
+        Key::Leave | Key::Plain(KeyCode::Esc) => Some(Command::Quit),
+        Key::Plain(KeyCode::Char(character)) => match character.to_ascii_lowercase() {
             'q' => Some(Command::Quit),
             'r' => Some(Command::Run),
             's' => Some(Command::Stop),
@@ -140,6 +133,6 @@ pub(super) fn command(key: KeyEvent) -> Option<Command> {
             '-' => Some(Command::Slower),
             _ => None,
         },
-        _ => None,
+        Key::Plain(_) => None,
     }
 }
