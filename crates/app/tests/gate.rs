@@ -293,9 +293,6 @@ impl Surroundings for Times {
     fn after_scan(&mut self, plant: &mut Plant) {
         self.at_us.push(plant.cpu.time_us());
     }
-    fn waits_in_stop(&self) -> bool {
-        true
-    }
     fn is_ended(&self) -> bool {
         self.at_us.len() >= self.most
     }
@@ -311,7 +308,9 @@ fn every_cycle_is_scanned_at_its_own_time_however_late_the_computer_is() {
     };
     let mut pace = Pace::new(Speed::Factor(10.0), 10_000, u64::MAX, 0);
     pace.missed = Missed::MadeUp;
-    let gate = Gate::new(Plant::new(cpu(COUNTS, "315-2PN/DP", real_time()), pace), Box::new(clock));
+    let mut plant = Plant::new(cpu(COUNTS, "315-2PN/DP", real_time()), pace);
+    plant.stay_in_stop();
+    let gate = Gate::new(plant, Box::new(clock));
     let (desk, mut times) = (Desk::default(), Times { most: 300, ..Times::default() });
     let check = |times: &Times| {
         let expected: Vec<u64> = (0..times.most as u64).map(|cycle| cycle * 10_000).collect();

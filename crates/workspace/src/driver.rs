@@ -33,10 +33,6 @@ pub trait Surroundings {
     fn after_scan(&mut self, plant: &mut Plant) {
         let _ = plant;
     }
-    /// Whether a CPU that goes to STOP by itself waits there for a start, too.
-    fn waits_in_stop(&self) -> bool {
-        false
-    }
     /// Whether the run has been ended from outside.
     fn is_ended(&self) -> bool;
 }
@@ -153,7 +149,7 @@ impl<'g> Driver<'g> {
 
     /// Whether the run ends before a scan at this time.
     fn end(&self, plant: &Plant, now_us: u64) -> Option<End> {
-        if plant.cpu.mode() == OperatingMode::Stop && !plant.waits_in_stop && !self.surroundings.waits_in_stop() {
+        if plant.cpu.mode() == OperatingMode::Stop && !(plant.waits_in_stop || plant.stays_in_stop) {
             return Some(End::Stopped);
         }
         if now_us >= plant.pace.end_us {

@@ -84,10 +84,13 @@ impl Session {
         let lines = listing::lines(&sources, &program, &symbols);
         let rack = Rack::with_background(cpu_type, vec![Box::new(DosingTank::new())]).expect("one module at byte 0 fits every CPU type");
         let cpu = Cpu::load(cpu_type, Arc::clone(&program), Jit::load, rack, Settings::default());
+        let operator = Mutex::new(Operator::new(&symbols, &cpu));
+        let mut plant = Plant::new(cpu, pace);
+        plant.stay_in_stop();
         let facts = Facts { project: Some(NAME.to_owned()), symbols: symbols.clone(), sources, program, ..Facts::default() };
         Self {
-            operator: Mutex::new(Operator::new(&symbols, &cpu)),
-            gate: Arc::new(Gate::new(Plant::new(cpu, pace), clock)),
+            operator,
+            gate: Arc::new(Gate::new(plant, clock)),
             desk: Arc::default(),
             facts: Arc::new(CurrentFacts::new(facts)),
             cpu_type,
@@ -186,10 +189,6 @@ impl Surroundings for Around<'_> {
         self.session.operator().note_mode(plant);
     }
 
-    fn waits_in_stop(&self) -> bool {
-        true
-    }
-
     fn is_ended(&self) -> bool {
         self.session.is_ended.load(Ordering::Relaxed)
     }
@@ -221,9 +220,6 @@ pub(crate) mod tests {
         }
         fn at_point(&mut self, plant: &mut Plant) {
             self.around.at_point(plant);
-        }
-        fn waits_in_stop(&self) -> bool {
-            self.around.waits_in_stop()
         }
         fn is_ended(&self) -> bool {
             self.left == 0
