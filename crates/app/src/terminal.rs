@@ -11,7 +11,7 @@ use sieben_model::problems::Problem;
 
 use crate::failure::Failure;
 
-/// Whether someone sits at a terminal that can be drawn on.
+/// Whether input and output are a terminal that can be drawn on.
 pub(crate) fn has_screen() -> bool {
     let capable = std::env::var_os("TERM").is_none_or(|term| term != "dumb");
     io::stdout().is_terminal() && io::stdin().is_terminal() && capable
@@ -22,7 +22,7 @@ pub(crate) fn shows_results() -> bool {
     io::stdout().is_terminal()
 }
 
-/// Becomes true when someone presses Ctrl-C.
+/// Becomes true when Ctrl-C is pressed.
 pub(crate) fn interrupted() -> Arc<AtomicBool> {
     let interrupted = Arc::new(AtomicBool::new(false));
     let flag = Arc::clone(&interrupted);
@@ -30,7 +30,7 @@ pub(crate) fn interrupted() -> Arc<AtomicBool> {
     interrupted
 }
 
-/// Does something when someone presses Ctrl-C.
+/// Does something when Ctrl-C is pressed.
 pub(crate) fn on_interrupt(act: impl FnMut() + Send + 'static) {
     // Without a handler Ctrl-C still ends the program, only less tidily.
     let _ = ctrlc::set_handler(act);

@@ -44,7 +44,7 @@ pub enum End {
     Stopped,
     /// Its time is over.
     Over,
-    /// Somebody has ended it.
+    /// It was ended from outside.
     Ended,
 }
 
@@ -54,7 +54,7 @@ enum Next {
     End(End),
     /// It waits so many microseconds of the computer's time.
     Rest(u64),
-    /// It lets in who wants in, if anybody does.
+    /// It opens the gate for the threads that want in.
     Open,
     /// It goes on at once after what took so many microseconds.
     Again(u64),
@@ -91,7 +91,7 @@ impl<'g> Driver<'g> {
     pub fn go_on(&mut self) -> End {
         let gate = self.gate;
         loop {
-            match gate.scan(|plant| self.turn(plant)) {
+            match gate.scan(|plant| self.iteration(plant)) {
                 Next::End(end) => return end,
                 Next::Rest(us) => {
                     self.worked_us = 0;
@@ -130,11 +130,11 @@ impl<'g> Driver<'g> {
         }
     }
 
-    fn turn(&mut self, plant: &mut Plant) -> Next {
+    fn iteration(&mut self, plant: &mut Plant) -> Next {
         if let Some((restart, by)) = plant.start.take() {
             let mut clock = self.clock(&plant.pace);
             plant.waits_in_stop = false;
-            // Whoever asks for the start of a CPU that runs already has what was asked for.
+            // A start of a CPU that runs already asks for what is there.
             let _ = plant.cpu.start_with(restart, by, &mut clock, None);
             self.surroundings.keep(&mut plant.cpu);
         }
@@ -158,7 +158,7 @@ impl<'g> Driver<'g> {
         self.surroundings.is_ended().then_some(End::Ended)
     }
 
-    /// Time stands still: only scans that somebody asks for.
+    /// Time stands still: only scans that are asked for.
     fn paused(&mut self, plant: &mut Plant) -> Next {
         let now_us = plant.pace.time_us(self.gate.now_us());
         if let Some(end) = self.end(plant, now_us) {

@@ -85,7 +85,7 @@ pub struct Desk {
     sampled: Condvar,
 }
 
-/// Somebody looks at blocks as long as this is there.
+/// Blocks are looked at as long as this is there.
 pub struct Look<'d> {
     desk: &'d Desk,
     blocks: Vec<BlockId>,
@@ -130,7 +130,7 @@ impl Desk {
         let is_last_step = plant.pace.is_paused() && !plant.pace.has_steps();
         let is_due = last == 0 || is_last_step || real_us.saturating_sub(last) >= DISTANCE_US;
         let wanted = self.onlookers.load(Ordering::Acquire) > 0 && is_due;
-        // Whoever replays is still at the last one: this scan is not needed.
+        // The last recording has not been taken for its replay yet: this scan is not needed.
         let free = wanted && self.recorded.try_lock().is_ok_and(|recorded| recorded.is_none());
         if !free {
             plant.cpu.scan_with(clock, None);

@@ -50,7 +50,7 @@ impl Client {
                     };
                 }
                 Err(error) if error.kind() == io::ErrorKind::PermissionDenied => refused = Some((place, error)),
-                // Nobody is there, or a killed run left its socket.
+                // No run is there, or a killed one left its socket.
                 Err(_) => {}
             }
         }

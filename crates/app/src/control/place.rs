@@ -50,7 +50,7 @@ pub(crate) struct Place {
 enum Owner {
     /// It belongs to the project.
     Project,
-    /// It belongs to the user, and nobody else may look into it.
+    /// It belongs to the user, and no other user may look into it.
     User,
 }
 
@@ -143,7 +143,7 @@ impl Place {
 
     /// Connects to the run that answers here.
     pub(crate) fn connect(&self) -> io::Result<OwnedFd> {
-        // Nobody else can offer a socket in the place of ours.
+        // No other user can offer a socket in the place of ours.
         self.open()?;
         connect(&self.path(), SocketFlags::CLOEXEC)
     }
@@ -196,7 +196,7 @@ impl Place {
         let path = self.path();
         match connect(&path, SocketFlags::CLOEXEC | SocketFlags::NONBLOCK) {
             Ok(_) => return Err(NoSocket::Taken),
-            // Somebody listens and has not accepted for long.
+            // A run listens and has not accepted for long.
             Err(error) if error.kind() == io::ErrorKind::WouldBlock => return Err(NoSocket::Taken),
             Err(error) if error.kind() == io::ErrorKind::NotFound => {}
             Err(error) if error.kind() == io::ErrorKind::ConnectionRefused => self.remove_left(folder)?,
@@ -205,14 +205,14 @@ impl Place {
         let flags = SocketFlags::CLOEXEC | SocketFlags::NONBLOCK;
         let listener = rustix::net::socket_with(AddressFamily::UNIX, SocketType::STREAM, flags, None)?;
         rustix::net::bind(&listener, &SocketAddrUnix::new(&path)?)?;
-        // Nobody can connect before it listens.
+        // Connecting is not possible before it listens.
         rustix::fs::chmodat(folder, &self.name, Mode::RUSR | Mode::WUSR, AtFlags::empty())?;
         rustix::net::listen(&listener, BACKLOG)?;
         let stat = rustix::fs::statat(folder, &self.name, AtFlags::SYMLINK_NOFOLLOW)?;
         Ok((listener, stat))
     }
 
-    /// Removes a socket that nobody listens to; anything else of that name stays.
+    /// Removes a socket without a listener; anything else of that name stays.
     fn remove_left(&self, folder: &Folder) -> io::Result<()> {
         let stat = rustix::fs::statat(folder, &self.name, AtFlags::SYMLINK_NOFOLLOW)?;
         if FileType::from_raw_mode(stat.st_mode) != FileType::Socket {
@@ -241,7 +241,7 @@ pub(crate) struct Bound {
 
 impl Drop for Bound {
     fn drop(&mut self) {
-        // If anything fails here, the next run finds a socket that nobody listens to, and removes it.
+        // If anything fails here, the next run finds a socket without a listener, and removes it.
         if lock(&self.folder).is_err() {
             return;
         }

@@ -61,7 +61,7 @@ struct Shared {
     gate: Arc<Gate>,
     desk: Arc<Desk>,
     facts: Arc<CurrentFacts>,
-    /// Those who are connected, by number, so that the end of the run wakes their threads.
+    /// The connected clients, by number, so that the end of the run wakes their threads.
     clients: Mutex<Vec<(u64, UnixStream)>>,
 }
 
@@ -169,7 +169,7 @@ impl Shared {
     fn welcome(self: &Arc<Self>, number: u64, mut stream: UnixStream) {
         let Some(connection) = self.facts.connect(CONNECTIONS_MAX) else {
             let refusal = Refusal::new(Problem::P7092, format!("{CONNECTIONS_MAX} are connected, which is the most"));
-            // Whoever does not read it sees the end.
+            // A client that does not read it sees the end.
             let _ = stream.set_nonblocking(true).and_then(|()| stream.write_all(line(&Value::Null, &Err(refusal)).as_bytes()));
             return;
         };
@@ -205,7 +205,7 @@ impl Shared {
         }
     }
 
-    /// Writes an answer; whoever takes nothing of it for [`UNREAD_MAX`] is given up.
+    /// Writes an answer; a client that takes nothing of it for [`UNREAD_MAX`] is given up.
     fn write(&self, stream: &mut UnixStream, mut bytes: &[u8]) -> io::Result<()> {
         let mut taken = Instant::now();
         while !bytes.is_empty() {

@@ -33,7 +33,7 @@ use crate::status::Desk;
 
 /// Longest name that is kept, in bytes.
 const NAME_BYTES_MAX: usize = 200;
-/// Names that a client's control keeps; whoever asks for more pays for reading them again.
+/// Names that a client's control keeps; more of them are read again each time.
 const NAMES_MAX: usize = 10_000;
 /// Bytes of values that one request reads or writes: an answer stays below a megabyte.
 const VALUE_BYTES_MAX: u64 = 64 * 1024;
