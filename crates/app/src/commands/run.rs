@@ -190,10 +190,11 @@ pub(crate) fn run_as(verb: Verb, mut arguments: RunArguments) -> Result<Exit, Fa
     if let Err(why) = &server
         && !arguments.json
     {
-        output::message(why);
+        output::message(&why.to_string());
     }
     let mut servers = prepared.map(|prepared| prepared.start(build.cpu, &gate)).transpose()?;
     if let Some(servers) = &servers {
+        facts.set_clients(servers.clients(&gate));
         match arguments.json {
             false => output::message(&servers.text()),
             // Whoever waits for the server reads this line.
