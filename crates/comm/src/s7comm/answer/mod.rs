@@ -4,6 +4,7 @@ mod blocks;
 mod control;
 mod linking;
 mod stored;
+mod variables;
 
 use std::sync::Arc;
 
@@ -11,7 +12,6 @@ use sieben_cpu::{Requester, Station};
 use sieben_workspace::gate::Plant;
 
 use super::job::{Job, Reply};
-use super::wire::codes::Refusal;
 pub use linking::Linker;
 pub use stored::{STORED_BLOCKS_MAX, STORED_BYTES_MAX, StoredBlocks};
 
@@ -27,7 +27,8 @@ pub struct Surroundings {
 /// Does a job at the cycle control point. It was looked at by [`super::guard`] before.
 pub fn perform(job: &Job, plant: &mut Plant, around: &mut Surroundings, by: Requester) -> Reply {
     match job {
-        Job::Read(_) | Job::Write(_) => Reply::Refused(Refusal::NotImplemented),
+        Job::Read(items) => variables::read(plant, items),
+        Job::Write(items) => variables::write(plant, items),
         Job::SystemStatus { id, index } => control::status_list(plant, *id, *index),
         Job::Clock => Reply::Clock(plant.cpu.clock()),
         Job::SetClock(wanted) => control::set_clock(plant, *wanted),

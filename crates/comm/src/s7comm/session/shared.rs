@@ -4,6 +4,7 @@ use crate::s7comm::answer::Surroundings;
 use crate::s7comm::guard::Function;
 
 use super::Event;
+use super::passwords::WrongPasswords;
 
 /// What all sessions of a server share. One thread has it.
 #[derive(Debug, Default)]
@@ -12,13 +13,15 @@ pub struct Shared {
     pub around: Surroundings,
     /// What the audit log has to say; the server takes it out after each call.
     pub events: Vec<Event>,
+    /// The addresses that wrong passwords came from.
+    pub passwords: WrongPasswords,
     /// How often each function was asked for.
     pub requests: Requests,
 }
 
 /// How often each function was asked for.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Requests([u64; Function::ALL.len()]);
+pub struct Requests([u64; Function::COUNT]);
 
 impl Requests {
     /// Counts a request.
