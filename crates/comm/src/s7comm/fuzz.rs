@@ -1,4 +1,4 @@
-//! What the fuzzer runs: bytes that nobody vouches for, and what has to be true whatever comes.
+//! What the fuzzer runs, and what has to be true of the answers whatever comes in.
 
 use std::collections::BTreeMap;
 use std::net::{Ipv4Addr, SocketAddr};

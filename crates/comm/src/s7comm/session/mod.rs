@@ -200,7 +200,7 @@ impl Session {
         let passed = |deadline_us: Option<u64>| deadline_us.is_some_and(|deadline_us| now_us >= deadline_us);
         let setup_us = (!self.is_ready()).then(|| self.begun_us.saturating_add(SETUP_US_MAX));
         if passed(self.output.given_up_us()) {
-            // Nobody takes it.
+            // The client does not take it.
             let waiting = self.output.waiting().len();
             self.output.sent(waiting, now_us);
             self.end();
