@@ -224,11 +224,8 @@ impl Session {
                         Err(refusal) => self.refused(reference, &job, form, refusal, shared, now_us),
                     }
                 }
-                Work::Pending { job, form, until_us, .. } if now_us >= until_us => {
-                    self.refused(reference, &job, form, Refusal::CannotPerform, shared, now_us);
-                }
                 Work::Pending { job, form, pending, until_us, look_us, is_due } => {
-                    let is_due = if now_us >= look_us { Due::Now } else { is_due };
+                    let is_due = if now_us >= look_us.min(until_us) { Due::Now } else { is_due };
                     return self.queue.put_back(reference, Work::Pending { job, form, pending, until_us, look_us, is_due });
                 }
                 work => return self.queue.put_back(reference, work),
@@ -236,6 +233,7 @@ impl Session {
         }
     }
 
+    /// Refuses a job that was not done.
     fn refused(&mut self, reference: u16, job: &Job, form: Form, refusal: Refusal, shared: &mut Shared, now_us: u64) {
         let reply = Reply::Refused(refusal);
         events::of(self.peer, reference, None, job, &reply, &mut shared.events);
