@@ -146,7 +146,10 @@ fn a_data_block_that_the_program_made_is_deleted_too() {
 
 /// Prepares when it is told to.
 #[derive(Debug, Default)]
-struct Slow(Mutex<Vec<(Arc<DataBlockChange>, Sender<Result<Loaded, DataBlockInUse>>)>>);
+struct Slow(Mutex<Vec<Waiting>>);
+
+/// A change and where its program goes.
+type Waiting = (Arc<DataBlockChange>, Sender<Result<Loaded, DataBlockInUse>>);
 
 impl Slow {
     fn finish(&self) {
