@@ -190,7 +190,7 @@ pub(crate) fn run_as(verb: Verb, mut arguments: RunArguments) -> Result<Exit, Fa
     if let Err(why) = &server
         && !arguments.json
     {
-        output::message(why);
+        output::message(&why.to_string());
     }
     let mut servers = prepared.map(|prepared| prepared.start(build.cpu, &gate, arguments.engine)).transpose()?;
     if let Some(servers) = &servers {
