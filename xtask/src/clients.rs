@@ -64,14 +64,20 @@ pub fn scripts() -> PathBuf {
 
 /// Installs what is missing, and says what there is. A client that cannot be had is no error: its tests say that they were skipped.
 pub fn run() -> Result<(), String> {
-    let kinds: [fn(Source) -> bool; 4] =
-        [|source| matches!(source, Source::Python(_)), |source| source == Source::Node, |source| source == Source::Rust, |source| source == Source::Tool];
+    let kinds: [fn(Source) -> bool; 4] = [
+        |source| matches!(source, Source::Python(_)),
+        |source| source == Source::Node,
+        |source| source == Source::Rust,
+        |source| source == Source::Tool,
+    ];
     // Each package client works alone; they wait for the network more than for the processor.
     let outcomes: Vec<(&Client, Result<(), String>)> = thread::scope(|scope| {
         let threads: Vec<_> = kinds
             .into_iter()
             .map(|is_kind| {
-                scope.spawn(move || CLIENTS.iter().filter(|client| is_kind(client.source)).map(|client| (client, client.install())).collect::<Vec<_>>())
+                scope.spawn(move || {
+                    CLIENTS.iter().filter(|client| is_kind(client.source)).map(|client| (client, client.install())).collect::<Vec<_>>()
+                })
             })
             .collect();
         threads.into_iter().flat_map(|thread| thread.join().expect("an installation does not panic")).collect()
@@ -163,7 +169,9 @@ impl Client {
         let quiet = |arguments: &[&str]| {
             done(Command::new("apt-get").args(arguments).args(["-qq", "-o", "Acquire::Retries=1"]).env("DEBIAN_FRONTEND", "noninteractive"))
         };
-        quiet(&["update"]).and_then(|()| quiet(&["install", "--yes", "--no-install-recommends", self.package])).map_err(|reason| format!("{reason}; {by_hand}"))
+        quiet(&["update"])
+            .and_then(|()| quiet(&["install", "--yes", "--no-install-recommends", self.package]))
+            .map_err(|reason| format!("{reason}; {by_hand}"))
     }
 }
 

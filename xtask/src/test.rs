@@ -40,7 +40,10 @@ fn skipped() -> PathBuf {
 
 fn lines_of_skipped() -> Vec<String> {
     let entries = fs::read_dir(skipped()).into_iter().flatten().flatten();
-    let mut lines: Vec<String> = entries.filter_map(|entry| fs::read_to_string(entry.path()).ok()).flat_map(|text| text.lines().map(str::to_owned).collect::<Vec<_>>()).collect();
+    let mut lines: Vec<String> = entries
+        .filter_map(|entry| fs::read_to_string(entry.path()).ok())
+        .flat_map(|text| text.lines().map(str::to_owned).collect::<Vec<_>>())
+        .collect();
     lines.sort();
     lines.dedup();
     lines

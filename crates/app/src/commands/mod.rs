@@ -17,6 +17,7 @@ pub(crate) mod run;
 pub(crate) mod step;
 pub(crate) mod structure;
 pub(crate) mod symbols;
+pub(crate) mod tags;
 pub(crate) mod test;
 pub(crate) mod top;
 pub(crate) mod trace;
