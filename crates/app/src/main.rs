@@ -26,6 +26,7 @@ mod retain;
 mod rewriting;
 mod schedule;
 mod screen;
+mod servers;
 mod stepping;
 mod symbol_files;
 mod terminal;
@@ -81,6 +82,8 @@ enum Verb {
     Demo(commands::demo::Arguments),
     /// Run a project
     Run(commands::run::Arguments),
+    /// Run a project with its servers, for clients over the network, until it is told to end
+    Serve(commands::serve::Arguments),
     /// Watch a program that runs, and start, stop or pause it
     Top(commands::top::Arguments),
     /// Report everything that is wrong with a program
@@ -137,7 +140,8 @@ fn run(line: CommandLine) -> Exit {
         None if terminal::shows_results() => commands::demo::run(&commands::demo::Arguments::default()),
         None => output::print(&CommandLine::command().render_help().to_string()).map(|()| Exit::Success),
         Some(Verb::Demo(arguments)) => commands::demo::run(&arguments),
-        Some(Verb::Run(arguments)) => commands::run::run(&arguments),
+        Some(Verb::Run(arguments)) => commands::run::run(arguments),
+        Some(Verb::Serve(arguments)) => commands::serve::run(arguments),
         Some(Verb::Top(arguments)) => commands::top::run(&arguments),
         Some(Verb::Check(arguments)) => commands::check::run(&arguments),
         Some(Verb::Exec(arguments)) => commands::exec::run(&arguments),

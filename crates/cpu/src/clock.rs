@@ -27,7 +27,7 @@ impl DateAndTime {
     }
 
     /// Milliseconds since 1990-01-01 00:00.
-    pub(crate) const fn ms(self) -> u64 {
+    pub const fn ms(self) -> u64 {
         self.0
     }
 

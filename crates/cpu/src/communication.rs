@@ -66,4 +66,6 @@ pub struct Communication {
     pub module_name: String,
     /// The designation of the plant.
     pub plant_name: String,
+    /// Where a server can be reached.
+    pub address: Option<Ipv4Addr>,
 }

@@ -6,6 +6,7 @@
 
 mod cpu;
 mod created_data_blocks;
+mod data_block_change;
 mod data_block_replacement;
 mod diagnostic_events;
 mod failed_statements;
@@ -42,6 +43,7 @@ pub use cpu::{
     ChangeRefused, Cpu, DataLoss, EndState, Loaded, NotReplayed, RecordedScan, Replayer, ScanReport, Snapshot, StopRequest, TestStep,
 };
 pub use cycle::CycleTimes;
+pub use data_block_change::{DataBlockChange, DataBlockInUse, undeclared};
 pub use data_block_replacement::ReplaceRefused;
 pub use diagnostic_buffer::{DiagnosticBuffer, DiagnosticEntry};
 pub use failed_statements::{FailedStatement, FailedStatements};

@@ -40,6 +40,8 @@ pub enum AccessError {
     NoRegister,
     /// It can be read and not set: the status of a timer, what a caller gave, the registers of an open data block.
     ReadOnly,
+    /// The data block is READ_ONLY: neither the program nor anyone outside writes its values.
+    WriteProtected,
 }
 
 impl fmt::Display for AccessError {
@@ -48,6 +50,7 @@ impl fmt::Display for AccessError {
             Self::NotRunning(block) => return write!(f, "`{block}` is not the block that runs"),
             Self::NoRegister => "the CPU has only the accumulators 1 and 2; the S7-400 has four",
             Self::ReadOnly => "it can only be read",
+            Self::WriteProtected => "the data block is READ_ONLY; its values come with the program, or with a download of the block",
             Self::Outside => "the address lies outside what the CPU type or the data block has",
             Self::NotLoaded => "the data block is not loaded",
             Self::NoModule => "no module answers at this address",
@@ -88,15 +91,15 @@ pub trait Station {
     /// Nothing is there to be read.
     fn read(&self, operand: &Operand) -> Result<u32, AccessError>;
     /// Modifies an operand: raw bits for addresses, an S5TIME word for a timer, the count for a counter.
-    /// An I or PI of a simulated module is set in the module and stays; any other I holds for one scan.
+    /// An I or PI of a simulated module is set in the module and stays; any other I holds for one scan. A READ_ONLY data block is not written.
     ///
     /// # Errors
-    /// Nothing is there to be modified.
+    /// Nothing is there to be modified, or it is protected.
     fn modify(&mut self, operand: &Operand, value: u32) -> Result<(), AccessError>;
     /// Reads items, each for itself, all at the same cycle control point. Registers are those after the last statement of OB 1.
     fn read_items(&self, items: &[Item]) -> Vec<Result<Value, AccessError>>;
     /// Gives items values, one after the other at the same cycle control point: an input in its module, a register for the beginning of OB 1
-    /// in the next scan, anything else in place. One that cannot be set leaves the others alone.
+    /// in the next scan, anything else in place. One that cannot be set leaves the others alone; a READ_ONLY data block is not written.
     fn write_items(&mut self, values: &[(Item, Value)]) -> Vec<Result<(), AccessError>>;
     /// What is forced.
     fn forced(&self) -> &Forced;
@@ -157,6 +160,14 @@ pub trait Station {
     /// # Errors
     /// The values cannot take the place of those that are there.
     fn replace_data_block(&mut self, block: &DataBlock) -> Result<(), ReplaceRefused>;
+    /// The values of a data block as they are now: those of the work memory, or of the load memory if it is UNLINKED.
+    fn data_block_values(&self, number: u16) -> Option<Vec<u8>>;
+    /// Deletes a data block that the program made at run time, as SFC 23 does; `false` if there is none of this number. One of the program goes
+    /// with an online change.
+    fn delete_created_data_block(&mut self, number: u16) -> bool;
+    /// Copies RAM to ROM: the values of the data blocks of the program become those of the load memory, which come back at a cold restart, a
+    /// memory reset or, if a block is NON_RETAIN, a warm restart. Answers how many have changed there.
+    fn copy_ram_to_rom(&mut self) -> usize;
     /// A system status list as SFC 51 reads it; of the diagnostic buffer all entries, also on an S7-300.
     ///
     /// # Errors

@@ -388,6 +388,10 @@ problems! {
     P7093 Error "a request that the CPU does not take now" "Ask for `state`: a start and a memory reset need STOP.";
     P7094 Error "a run that is over" "Start it again, and connect again.";
     P7095 Error "a status that cannot be shown" "Name a block with statements (`blocks` lists them) while the CPU scans.";
+    P7100 Error "a server that other computers reach" "Choose an address of this computer alone, such as 127.0.0.1:1102, or name the address with `--expose` if you want that.";
+    P7101 Error "an address that is in use" "End the program that listens there, or choose another port.";
+    P7102 Error "an address that cannot be listened at" "Choose an address of this computer and a port from 1024, or give the right to listen below.";
+    P7103 Error "a file of a server that cannot be written" "Name a file in the folder of the project that this user may write, and look whether the disk is full.";
 
     // 8xxx run time
     P8001 Error "the CPU went to STOP" "Read the diagnostic buffer: it names the block and the statement.";

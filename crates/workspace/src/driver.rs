@@ -124,7 +124,7 @@ impl<'g> Driver<'g> {
 
     /// Whether the run ends before a scan at this time.
     fn end(&self, plant: &Plant, now_us: u64) -> Option<End> {
-        if plant.cpu.mode() == OperatingMode::Stop && !plant.waits_in_stop {
+        if plant.cpu.mode() == OperatingMode::Stop && !(plant.waits_in_stop || plant.stays_in_stop) {
             return Some(End::Stopped);
         }
         if now_us >= plant.pace.end_us {

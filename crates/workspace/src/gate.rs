@@ -39,12 +39,14 @@ pub struct Plant {
     pub(crate) start: Option<(Restart, Requester)>,
     /// Whether a CPU in STOP waits for a start instead of ending the run.
     pub(crate) waits_in_stop: bool,
+    /// Whether it does so whoever stops it, and how often.
+    pub(crate) stays_in_stop: bool,
 }
 
 impl Plant {
     /// A CPU that has not started yet.
     pub fn new(cpu: Cpu, pace: Pace) -> Self {
-        Self { cpu, pace, scans: 0, start: None, waits_in_stop: false }
+        Self { cpu, pace, scans: 0, start: None, waits_in_stop: false, stays_in_stop: false }
     }
 
     /// Sends the CPU to STOP on behalf of somebody outside: the run goes on, and the CPU waits there for a start.
@@ -56,6 +58,16 @@ impl Plant {
     /// Asks for a start; the thread that scans carries it out at its next turn.
     pub fn ask_for_start(&mut self, restart: Restart, by: Requester) {
         self.start = Some((restart, by));
+    }
+
+    /// From now on no STOP ends the run: there are others who start the CPU again.
+    pub fn stay_in_stop(&mut self) {
+        self.stays_in_stop = true;
+    }
+
+    /// Whether a start that somebody asked for is still to come.
+    pub fn is_about_to_start(&self) -> bool {
+        self.start.is_some()
     }
 
     /// Whether a CPU in STOP waits for a start instead of ending the run.
@@ -195,7 +207,14 @@ impl Gate {
         if self.is_closed() {
             return Err(Closed);
         }
-        Ok(work(&mut plant))
+        let done = work(&mut plant);
+        let starts = plant.start.is_some();
+        drop(plant);
+        // In STOP the thread that scans may rest for long.
+        if starts {
+            self.wake();
+        }
+        Ok(done)
     }
 
     /// Comes in as often as the jobs take, a portion at a time.

@@ -14,6 +14,7 @@ pub(crate) mod record;
 pub(crate) mod refs;
 pub(crate) mod render;
 pub(crate) mod run;
+pub(crate) mod serve;
 pub(crate) mod step;
 pub(crate) mod structure;
 pub(crate) mod symbols;

@@ -12,6 +12,7 @@ use serde_json::json;
 use sieben_cpu::{Cpu, DateAndTime, OperatingMode, Settings, StopRequest, TimeSource};
 use sieben_jit::StatusBits;
 use sieben_model::problems::Problem;
+use sieben_model::visible::visible;
 use sieben_workspace::control::{CurrentFacts, Facts};
 use sieben_workspace::controller;
 use sieben_workspace::duration;
@@ -27,6 +28,7 @@ use crate::duration::{cycle_argument, duration_argument};
 use crate::engines::EngineArgument;
 use crate::failure::{Exit, Failure};
 use crate::retain::{RetainArguments, Retention, RunTime};
+use crate::servers::{Always, Prepared, ServerArguments, Servers};
 use crate::watch::Watch;
 use crate::{output, watch};
 
@@ -50,10 +52,19 @@ const STOP_FROM_OUTSIDE: u16 = 0x4304;
   sieben run pump --for 10s             ten seconds, then exit 0\n  \
   sieben run pump --speed max --for 1h  an hour of virtual time, at full speed\n  \
   sieben run pump --restart cold        with all values as the program declares them\n  \
-  sieben run pump --watch               changed sources take over while it runs\n\n\
+  sieben run pump --watch               changed sources take over while it runs\n  \
+  sieben run pump --s7                  S7 clients of this computer reach it at 127.0.0.1:1102\n\n\
+With a server the run stays up while the CPU is in STOP, except with --for.\n\
 Ctrl-C stops cleanly; a second Ctrl-C stops at once. Retentive data of a project survives both, and a kill.\n\
 Exit codes: 0 ok, 1 a statement failed (--strict), 2 usage, 3 does not compile, 4 the CPU went to STOP.")]
 pub(crate) struct Arguments {
+    #[command(flatten)]
+    common: RunArguments,
+}
+
+/// What `run` and `serve` take.
+#[derive(Args)]
+pub(crate) struct RunArguments {
     /// Source files, symbol tables, or a project folder [default: this folder]
     #[arg(value_name = "PATH")]
     paths: Vec<PathBuf>,
@@ -68,6 +79,8 @@ pub(crate) struct Arguments {
     /// Stop after this time of the CPU's clock
     #[arg(long = "for", value_name = "DURATION", id = "duration", allow_hyphen_values = true, value_parser = duration_argument)]
     duration: Option<Duration>,
+    #[command(flatten)]
+    servers: ServerArguments,
     #[command(flatten)]
     retain: RetainArguments,
     #[command(flatten)]
@@ -91,7 +104,23 @@ pub(crate) struct Arguments {
 }
 
 /// Runs the project.
-pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
+pub(crate) fn run(arguments: Arguments) -> Result<Exit, Failure> {
+    run_as(Verb::Run, arguments.common)
+}
+
+/// Which verb runs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Verb {
+    /// `sieben run`.
+    Run,
+    /// `sieben serve`.
+    Serve,
+}
+
+/// Runs the project for one of the verbs.
+pub(crate) fn run_as(verb: Verb, mut arguments: RunArguments) -> Result<Exit, Failure> {
+    arguments.servers.give_back(&mut arguments.paths)?;
+    let arguments = &arguments;
     let overrides = match arguments.strict.is_strict() {
         true => arguments.strict.overrides(arguments.program.overrides()?),
         false => arguments.program.overrides_at_speed()?,
@@ -100,6 +129,11 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let mut build = match super::or_report(arguments.program.load(&arguments.paths)?.compile(overrides, false), arguments.json) {
         Ok(build) => build,
         Err(exit) => return Ok(exit),
+    };
+    let always = if verb == Verb::Serve { Always::Yes } else { Always::No };
+    let prepared = match arguments.servers.config(&build.project, always)? {
+        Some(config) => Some(Prepared::new(config, &build.project)?),
+        None => None,
     };
     let project = &build.project.settings;
     let cycle = arguments.cycle.or(project.cycle).unwrap_or(Duration::from_millis(10)).max(project.min_cycle.unwrap_or_default());
@@ -126,7 +160,13 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let facts = Arc::new(CurrentFacts::new(Facts::of(&build, cpu.program())));
     let pace = Pace::new(arguments.speed, cycle_us, arguments.duration.map_or(u64::MAX, duration::micros), clock());
     let request = cpu.stop_request();
-    let gate = Arc::new(Gate::new(Plant::new(cpu, pace), clock));
+    let mut plant = Plant::new(cpu, pace);
+    // With an end of its own a run is an experiment, whose STOP is its result.
+    let stays = prepared.is_some() && arguments.duration.is_none();
+    if stays {
+        plant.stay_in_stop();
+    }
+    let gate = Arc::new(Gate::new(plant, clock));
     let presses = watch_for_interrupt(request, &gate)?;
     if !arguments.json {
         let name = project.name.as_deref().map_or_else(String::new, |name| format!(" `{name}`"));
@@ -152,12 +192,25 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     {
         output::message(why);
     }
+    let mut servers = prepared.map(|prepared| prepared.start(build.cpu, &gate)).transpose()?;
+    if let Some(servers) = &servers {
+        match arguments.json {
+            false => output::message(&servers.text()),
+            // Whoever waits for the server reads this line.
+            true if verb == Verb::Serve => output::print_json(&json!({ "listening": servers.json() }), false)?,
+            true => {}
+        }
+    }
     let quiet = arguments.json;
-    let (failed, status) = (None, Status::new());
-    let mut around = Around { retention, watch, build: &mut build, facts: &facts, quiet, failed, status, presses: &presses };
+    let (failed, status) = (None, Status::new(verb));
+    let mut around =
+        Around { retention, watch, build: &mut build, facts: &facts, quiet, told_stop: !stays, stays, failed, status, presses: &presses };
     Driver::new(&gate, &desk, &mut around).run(arguments.retain.restart);
     let Around { mut retention, watch, failed, status, .. } = around;
     status.clear();
+    if let Some(lost) = servers.as_mut().and_then(Servers::end) {
+        output::message(&lost);
+    }
     gate.close();
     drop(server);
     gate.finish(|plant| {
@@ -167,7 +220,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         let count = plant.cpu.failed_statements().count;
         let failed = failed.map(|first| first.in_all(count)).or_else(|| Failed::of(&build, &plant.cpu));
         let time_us = plant.pace.time_us(gate.now_us()).min(plant.pace.end_us);
-        let outcome = Outcome { scans: plant.scans, time_us, interrupted: presses.load(Ordering::Relaxed) > 0 };
+        let outcome = Outcome { scans: plant.scans, time_us, interrupted: presses.load(Ordering::Relaxed) > 0, stays };
         report(arguments, &build, &plant.cpu, &outcome, failed.as_ref(), retention.as_ref(), watch.as_ref())
     })
 }
@@ -204,6 +257,8 @@ struct Outcome {
     scans: u64,
     time_us: u64,
     interrupted: bool,
+    /// A STOP did not end it, and was said when it came.
+    stays: bool,
 }
 
 /// What stands around the run: retentive data, changed sources, the status line, Ctrl-C.
@@ -216,6 +271,10 @@ struct Around<'a> {
     facts: &'a CurrentFacts,
     /// Nothing is said about online changes: the result is for a program.
     quiet: bool,
+    /// The STOP that the CPU is in was said already, or is said at the end.
+    told_stop: bool,
+    /// No STOP ends the run.
+    stays: bool,
     /// The first statement that failed, with its place in the program that ran then.
     failed: Option<Failed>,
     status: Status,
@@ -233,6 +292,7 @@ impl Surroundings for Around<'_> {
     /// Lets changed sources take over before the next scan.
     fn at_point(&mut self, plant: &mut Plant) {
         self.status.update(&plant.cpu, plant.scans);
+        self.tell_stop(&plant.cpu);
         if let Some(watch) = &mut self.watch {
             // Its place is one of the program that still runs.
             if self.failed.is_none() {
@@ -256,6 +316,23 @@ impl Surroundings for Around<'_> {
     }
 }
 
+impl Around<'_> {
+    /// Says once why the CPU is in STOP, where the run goes on all the same.
+    fn tell_stop(&mut self, cpu: &Cpu) {
+        let cause = cpu.stop_cause().filter(|_| cpu.mode() == OperatingMode::Stop);
+        match cause {
+            Some(cause) if !self.told_stop => {
+                self.told_stop = true;
+                if !self.quiet {
+                    self.status.say(&visible(&controller::stop_text(self.build, cause)));
+                }
+            }
+            None if self.stays => self.told_stop = false,
+            _ => {}
+        }
+    }
+}
+
 /// The line that shows how the run goes; only on a terminal.
 struct Status {
     bar: Option<ProgressBar>,
@@ -263,8 +340,8 @@ struct Status {
 }
 
 impl Status {
-    fn new() -> Self {
-        let bar = std::io::stderr().is_terminal().then(|| {
+    fn new(verb: Verb) -> Self {
+        let bar = (verb == Verb::Run && std::io::stderr().is_terminal()).then(|| {
             let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr());
             bar.set_style(ProgressStyle::with_template("{msg}").unwrap_or_else(|_| ProgressStyle::default_spinner()));
             bar
@@ -305,7 +382,7 @@ fn cycle_text(cpu: &Cpu) -> String {
 
 /// Says how it went.
 fn report(
-    arguments: &Arguments,
+    arguments: &RunArguments,
     build: &Build,
     cpu: &Cpu,
     outcome: &Outcome,
@@ -317,7 +394,7 @@ fn report(
     let stopped = cpu
         .stop_cause()
         .filter(|_| cpu.mode() == OperatingMode::Stop)
-        .filter(|cause| !(outcome.interrupted && matches!(cause.event, STOP_BY_SWITCH | STOP_FROM_OUTSIDE)));
+        .filter(|cause| !(outcome.interrupted && (outcome.stays || matches!(cause.event, STOP_BY_SWITCH | STOP_FROM_OUTSIDE))));
     // Ctrl-C itself sends the CPU to STOP: what counts is what it did before.
     let stopped_before = cpu.stop_cause().is_some_and(|cause| cause.event != STOP_BY_SWITCH);
     let mode =

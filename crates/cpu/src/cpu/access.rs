@@ -4,7 +4,7 @@ use sieben_model::address::{Address, Area, Operand, Width};
 use sieben_model::bcd;
 use sieben_model::block::BlockId;
 use sieben_model::cpu_type::CpuType;
-use sieben_model::item::Item;
+use sieben_model::item::{Item, Place};
 use sieben_model::program::DataBlock;
 use sieben_model::value::Value;
 
@@ -50,37 +50,8 @@ impl Station for Cpu {
     }
 
     fn modify(&mut self, operand: &Operand, value: u32) -> Result<(), AccessError> {
-        check_bit(operand)?;
-        match operand {
-            Operand::Address(address @ Address { area: Area::Input | Area::PeripheralInput, .. }) => self.modify_input(address, value),
-            Operand::Address(address @ Address { area: Area::PeripheralOutput, .. }) => self.modify_output(address, value),
-            Operand::Timer(number) => {
-                let now = self.machine.clock_us;
-                let timer = self.machine.timers.get_mut(usize::from(*number)).ok_or(AccessError::Outside)?;
-                let word = u16::try_from(value).map_err(|_| AccessError::Value)?;
-                if !bcd::is_decimal(u32::from(word), 3) {
-                    return Err(AccessError::Value);
-                }
-                timer.refresh(now);
-                timer.base = (word >> 12 & 3) as u8;
-                timer.value = bcd::decode(u32::from(word), 3) as u16;
-                timer.started_us = now;
-                timer.refresh(now);
-                Ok(())
-            }
-            Operand::Counter(number) => {
-                let counter = self.machine.counters.get_mut(usize::from(*number)).ok_or(AccessError::Outside)?;
-                counter.count = u16::try_from(value).ok().filter(|&count| count <= 999).ok_or(AccessError::Value)?;
-                Ok(())
-            }
-            _ if self.machine.memory.write(operand, value) => {
-                if matches!(operand, Operand::Address(Address { area: Area::Output, .. })) {
-                    self.images.changed();
-                }
-                Ok(())
-            }
-            _ => Err(self.why_not(operand)),
-        }
+        self.is_writable(operand_db(operand))?;
+        self.modify_operand(operand, value)
     }
 
     fn read_items(&self, items: &[Item]) -> Vec<Result<Value, AccessError>> {
@@ -88,7 +59,7 @@ impl Station for Cpu {
     }
 
     fn write_items(&mut self, values: &[(Item, Value)]) -> Vec<Result<(), AccessError>> {
-        values.iter().map(|(item, value)| self.set(item, &value.content)).collect()
+        values.iter().map(|(item, value)| self.is_writable(item_db(item)).and_then(|()| self.set(item, &value.content))).collect()
     }
 
     fn forced(&self) -> &Forced {
@@ -161,6 +132,18 @@ impl Station for Cpu {
         self.replace_values(block)
     }
 
+    fn data_block_values(&self, number: u16) -> Option<Vec<u8>> {
+        self.values_of(number)
+    }
+
+    fn delete_created_data_block(&mut self, number: u16) -> bool {
+        self.delete_created(number)
+    }
+
+    fn copy_ram_to_rom(&mut self) -> usize {
+        self.ram_to_rom()
+    }
+
     fn status_list(&self, id: u16, index: u16) -> Result<PartialList, NoList> {
         self.system_status().read(id, index)
     }
@@ -184,6 +167,23 @@ fn check_bit(operand: &Operand) -> Result<(), AccessError> {
     match operand {
         Operand::Address(address) | Operand::InDataBlock { address, .. } if address.bit > 7 => Err(AccessError::Outside),
         _ => Ok(()),
+    }
+}
+
+/// The data block that an operand lies in.
+fn operand_db(operand: &Operand) -> Option<u16> {
+    match operand {
+        Operand::InDataBlock { db, .. } => Some(*db),
+        Operand::Address(_) | Operand::Timer(_) | Operand::Counter(_) | Operand::Block(_) => None,
+    }
+}
+
+/// The data block that an item lies in.
+fn item_db(item: &Item) -> Option<u16> {
+    match &item.place {
+        Place::Operand(operand) => operand_db(operand),
+        Place::Bytes(bytes) => bytes.db,
+        Place::TimerStatus(_) | Place::Local(_) | Place::Register(_) | Place::Status => None,
     }
 }
 
@@ -234,6 +234,47 @@ impl Cpu {
             Some(_) => Ok(*address),
             None => Err(AccessError::Outside),
         }
+    }
+
+    /// Gives an operand a value, in a READ_ONLY data block too, as tests and scenarios do.
+    pub(super) fn modify_operand(&mut self, operand: &Operand, value: u32) -> Result<(), AccessError> {
+        check_bit(operand)?;
+        match operand {
+            Operand::Address(address @ Address { area: Area::Input | Area::PeripheralInput, .. }) => self.modify_input(address, value),
+            Operand::Address(address @ Address { area: Area::PeripheralOutput, .. }) => self.modify_output(address, value),
+            Operand::Timer(number) => {
+                let now = self.machine.clock_us;
+                let timer = self.machine.timers.get_mut(usize::from(*number)).ok_or(AccessError::Outside)?;
+                let word = u16::try_from(value).map_err(|_| AccessError::Value)?;
+                if !bcd::is_decimal(u32::from(word), 3) {
+                    return Err(AccessError::Value);
+                }
+                timer.refresh(now);
+                timer.base = (word >> 12 & 3) as u8;
+                timer.value = bcd::decode(u32::from(word), 3) as u16;
+                timer.started_us = now;
+                timer.refresh(now);
+                Ok(())
+            }
+            Operand::Counter(number) => {
+                let counter = self.machine.counters.get_mut(usize::from(*number)).ok_or(AccessError::Outside)?;
+                counter.count = u16::try_from(value).ok().filter(|&count| count <= 999).ok_or(AccessError::Value)?;
+                Ok(())
+            }
+            _ if self.machine.memory.write(operand, value) => {
+                if matches!(operand, Operand::Address(Address { area: Area::Output, .. })) {
+                    self.images.changed();
+                }
+                Ok(())
+            }
+            _ => Err(self.why_not(operand)),
+        }
+    }
+
+    /// Whether those outside may write to a data block.
+    fn is_writable(&self, db: Option<u16>) -> Result<(), AccessError> {
+        let entry = db.and_then(|db| self.machine.memory.data_block(u64::from(db)));
+        if entry.is_some_and(|entry| entry.read_only) { Err(AccessError::WriteProtected) } else { Ok(()) }
     }
 
     /// Why an operand of the data memory has no value.

@@ -130,4 +130,49 @@ impl Cpu {
         self.load_times.later(BlockId::db(number), self.date_and_time());
         Ok(())
     }
+
+    pub(super) fn values_of(&self, number: u16) -> Option<Vec<u8>> {
+        if let Some(entry) = self.machine.memory.data_block(u64::from(number)) {
+            let start = entry.base as usize;
+            return self.machine.memory.arena.get(start..start.checked_add(entry.length as usize)?).map(<[u8]>::to_vec);
+        }
+        let unlinked = self.program.data.get(&number)?;
+        Some(self.system.load_memory.get(&number).unwrap_or(&unlinked.image).clone())
+    }
+
+    pub(super) fn delete_created(&mut self, number: u16) -> bool {
+        let there = !self.program.data.contains_key(&number) && self.machine.memory.data_block(u64::from(number)).is_some();
+        if !there || !matches!(self.mode, OperatingMode::Run | OperatingMode::Stop) || !self.machine.frames.is_empty() {
+            return false;
+        }
+        // As after an online change: what is suspended between two scans may have it open.
+        (self.paused, self.background_began) = (None, false);
+        self.warm_demanded |= self.interrupted.take().is_some();
+        self.machine.memory.data_blocks[usize::from(number)] = None;
+        self.system.non_retain.remove(&number);
+        self.load_times.forget(BlockId::db(number));
+        true
+    }
+
+    pub(super) fn ram_to_rom(&mut self) -> usize {
+        let program = Arc::clone(&self.program);
+        let mut changed = 0;
+        for (&number, block) in &program.data {
+            // One that is UNLINKED has no values but those of the load memory.
+            if self.machine.memory.data_block(u64::from(number)).is_none() {
+                continue;
+            }
+            let Some(values) = self.values_of(number) else { continue };
+            if *self.system.load_memory.get(&number).unwrap_or(&block.image) == values {
+                continue;
+            }
+            changed += 1;
+            if values == block.image {
+                self.system.load_memory.remove(&number);
+            } else {
+                self.system.load_memory.insert(number, values);
+            }
+        }
+        changed
+    }
 }

@@ -70,7 +70,7 @@ impl Cpu {
     }
 
     /// Gives an item a value, as [`Station::write_items`] does: an input in its module, a register for the beginning of OB 1 in the next scan,
-    /// anything else in place.
+    /// anything else in place. What is tried out (a scenario, a test, a step) may write a READ_ONLY data block too.
     ///
     /// # Errors
     /// Nothing is there to be set, or the value does not fit.
@@ -80,7 +80,9 @@ impl Cpu {
                 let bytes = as_bytes(operand).ok_or(AccessError::NotAccessible)?;
                 self.set_range(&bytes, &bits.to_be_bytes())
             }
-            (Place::Operand(operand), Content::Bits(bits)) => self.modify(operand, u32::try_from(*bits).map_err(|_| AccessError::Value)?),
+            (Place::Operand(operand), Content::Bits(bits)) => {
+                self.modify_operand(operand, u32::try_from(*bits).map_err(|_| AccessError::Value)?)
+            }
             (Place::TimerStatus(_), _) => Err(AccessError::ReadOnly),
             (Place::Bytes(bytes), Content::Bytes(values)) => self.set_range(bytes, values),
             (Place::Bytes(bytes), Content::Bits(bits)) if bytes.length <= 8 && !matches!(item.kind, Kind::Bytes(_)) => {
@@ -128,7 +130,7 @@ impl Cpu {
                 self.range(bytes)?;
                 for (byte, &value) in (bytes.byte..).zip(values) {
                     let address = Address { area: bytes.area, width: Width::Byte, byte, bit: 0 };
-                    self.modify(&Operand::Address(address), u32::from(value))?;
+                    self.modify_operand(&Operand::Address(address), u32::from(value))?;
                 }
                 Ok(())
             }

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use sieben_engine::{Engine, ImageWrites, Layout, Program};
 use sieben_model::cpu_type::CpuType;
 
+use crate::data_block_change::{DataBlockChange, DataBlockInUse};
 use crate::retain::Declarations;
 
 /// A program that is ready to run, with its code; a copy shares all of it.
@@ -26,6 +27,14 @@ impl Loaded {
         let declarations = Arc::new(Declarations::of(&program));
         let image_writes = Arc::new(engine.image_writes(&program));
         Self { cpu_type, program, layout, engine, declarations, image_writes }
+    }
+
+    /// Loads the program of a change of data blocks.
+    ///
+    /// # Errors
+    /// Code uses a data block that is to go.
+    pub fn changed(change: &DataBlockChange, load: impl FnOnce(&Program, &Layout) -> Arc<dyn Engine>) -> Result<Self, DataBlockInUse> {
+        Ok(Self::new(change.cpu_type, Arc::new(change.program()?), load))
     }
 
     /// Bytes of machine code that all its CPUs share; 0 if the program is interpreted.

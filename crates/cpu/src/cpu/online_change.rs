@@ -8,9 +8,11 @@ use sieben_engine::machine::Registers;
 use sieben_engine::{Machine, Program};
 use sieben_model::address::Area;
 use sieben_model::block::BlockId;
+use sieben_model::program::DataBlock;
 
 use super::{Cpu, Loaded, available};
 use crate::created_data_blocks;
+use crate::data_block_change::DataBlockChange;
 use crate::mode::OperatingMode;
 use crate::online_change::{BlockChange, OnlineChange};
 use crate::process_image::Images;
@@ -22,6 +24,8 @@ pub enum ChangeRefused {
     OtherCpuType,
     /// The CPU is in the middle of a scan or startup (HOLD): blocks that run have no place in another program.
     Running,
+    /// Another program has taken over since the change was begun.
+    OtherProgram,
     /// A data block was to have the values of the new program, and there is none with this number in either of them.
     NoDataBlock(u16),
 }
@@ -31,6 +35,7 @@ impl fmt::Display for ChangeRefused {
         match self {
             Self::OtherCpuType => f.write_str("another CPU type needs a restart"),
             Self::Running => f.write_str("the CPU is in the middle of a scan"),
+            Self::OtherProgram => f.write_str("another program has taken over meanwhile"),
             Self::NoDataBlock(number) => write!(f, "no program has the DB{number} whose values are to be taken over"),
         }
     }
@@ -109,6 +114,23 @@ impl Cpu {
             self.load_times.later(BlockId::db(number), now);
         }
         Ok(change)
+    }
+
+    /// Begins a change of data blocks: `put` come to the program or take the place of others, `removed` go. [`Loaded::changed`] makes the
+    /// program of it, away from the CPU, and [`Self::change_data_blocks`] lets that take over.
+    pub fn data_block_change(&self, put: Vec<DataBlock>, removed: BTreeSet<u16>) -> DataBlockChange {
+        DataBlockChange::new(Arc::clone(&self.program), self.cpu_type, put, removed)
+    }
+
+    /// The program of a change of data blocks takes over, as [`Self::change_online_taking`]: its data blocks keep no value.
+    ///
+    /// # Errors
+    /// Why not; then nothing has changed.
+    pub fn change_data_blocks(&mut self, new: Loaded, change: &DataBlockChange) -> Result<OnlineChange, ChangeRefused> {
+        if !Arc::ptr_eq(&self.program, &change.base) {
+            return Err(ChangeRefused::OtherProgram);
+        }
+        self.change_online_taking(new, &change.taken())
     }
 
     /// What the program wrote to the load memory goes where the sources bring other values.

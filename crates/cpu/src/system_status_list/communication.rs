@@ -1,4 +1,4 @@
-//! Communication, clock and protection: lists 16#0131, 16#0132 and 16#0232. What counts jobs is 0.
+//! Communication, clock and protection: lists 16#xy37, 16#0131, 16#0132 and 16#0232. What counts jobs is 0.
 
 use super::{SystemStatus, record, words};
 use crate::communication::{Communication, ProtectionLevel};
@@ -19,10 +19,30 @@ fn of_family(status: &SystemStatus<'_>, values: [u16; 2]) -> u16 {
     values[usize::from(status.cpu_type.accumulators == 4)]
 }
 
-/// List 16#0131: what communication the CPU is capable of. Index 0 means 1, as some clients ask.
+/// Bytes of a record of list 16#xy37.
+const ETHERNET_BYTES: usize = 48;
+/// Where an IP address comes from: not given, and from neither a configuration nor a protocol that gives addresses.
+const NO_ADDRESS: u8 = 0;
+const OTHER_SOURCE: u8 = 0xFF;
+
+/// List 16#xy37: the Ethernet interface of CPU types that have one. It is that of the computer: neither its mask and router nor its MAC address
+/// are known, so they are 0.
+pub(super) fn ethernet(status: &SystemStatus<'_>) -> Vec<Vec<u8>> {
+    if !status.cpu_type.name.contains("PN") {
+        return Vec::new();
+    }
+    // The interfaces have the last logical addresses; that of MPI and DP is the very last.
+    let logical = u16::try_from(status.cpu_type.peripheral.saturating_sub(2)).unwrap_or(u16::MAX);
+    let address = status.communication.address;
+    let source = address.map_or(NO_ADDRESS, |_| OTHER_SOURCE);
+    let address = address.map_or([0; 4], |address| address.octets());
+    vec![record(ETHERNET_BYTES, &[&logical.to_be_bytes(), &address, &[0; 4 + 4 + 6], &[source]])]
+}
+
+/// List 16#0131: what communication the CPU is capable of.
 pub(super) fn capability(status: &SystemStatus<'_>, index: u16) -> Option<Vec<Vec<u8>>> {
     let record = match index {
-        0 | 1 => {
+        1 => {
             let [pdu, connections] = [of_family(status, PDU), of_family(status, CONNECTIONS)].map(u16::to_be_bytes);
             record(BYTES, &[&[0, 1], &pdu, &connections, &MPI_SPEED.to_be_bytes(), &K_BUS_SPEED.to_be_bytes()])
         }
@@ -64,9 +84,9 @@ fn protection_levels(status: &SystemStatus<'_>) -> Vec<u8> {
     words(BYTES, &[4, 1, configured, level.number(), 1, 2])
 }
 
-/// List 16#0232: protection. Index 0 means 4, as some clients ask.
+/// List 16#0232: protection.
 pub(super) fn protection(status: &SystemStatus<'_>, index: u16) -> Option<Vec<Vec<u8>>> {
-    matches!(index, 0 | 4).then(|| vec![protection_levels(status)])
+    (index == 4).then(|| vec![protection_levels(status)])
 }
 
 /// Meters that run, 16-bit meters, time of day and what is known about it.

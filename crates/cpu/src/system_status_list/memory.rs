@@ -27,8 +27,8 @@ pub(super) fn areas(status: &SystemStatus<'_>) -> Vec<Vec<u8>> {
 pub(super) fn system_areas(status: &SystemStatus<'_>) -> Vec<Vec<u8>> {
     let cpu = status.cpu_type;
     let word = |value: u32| u16::try_from(value).unwrap_or(u16::MAX);
-    // The third is bit memory as its bytes are counted; what is retentive by default: 16 bytes of it and 8 counters.
-    let rows: [(u16, u32, u16); 7] = [
+    // Bit memory is counted in bytes, in both of its records; what is retentive by default: 16 bytes of it and 8 counters.
+    let rows: [(u16, u32, u16); 9] = [
         (1, cpu.process_image, 0),
         (2, cpu.process_image, 0),
         (3, cpu.bit_memory, 16),
@@ -36,6 +36,8 @@ pub(super) fn system_areas(status: &SystemStatus<'_>) -> Vec<Vec<u8>> {
         (5, u32::from(cpu.counters), 8),
         (6, cpu.peripheral, 0),
         (7, cpu.local_data, 0),
+        (8, cpu.bit_memory, 16),
+        (9, cpu.local_data / 1024, 0),
     ];
     rows.iter().map(|&(index, quantity, retentive)| words(8, &[index, 1, word(quantity), retentive])).collect()
 }

@@ -126,6 +126,7 @@ static LISTS: &[List] = &[
     list(0x0024, 20, Records::Whole(operation::mode_changes)),
     list(0x0124, 20, Records::By(operation::last_mode_change)),
     list(0x0424, 20, Records::By(operation::mode)),
+    list(0x0037, 48, Records::Indexed(communication::ethernet)),
     list(0x0074, 4, Records::Indexed(operation::lights)),
     list(0x0090, 14, Records::Whole(modules::dp_masters)),
     list(0x0091, 16, Records::Whole(modules::all)),

@@ -8,8 +8,8 @@ use crate::forcing::Forces;
 use crate::mode::OperatingMode;
 use crate::start_information::StartInformation;
 
-/// Lights: SF, INTF, EXTF, RUN, STOP, FRCE, CRST, BAF.
-const LIGHTS: &[u16] = &[1, 2, 3, 4, 5, 6, 7, 8];
+/// Lights: SF, INTF, EXTF, RUN, STOP, FRCE, CRST, BAF, BUS1F, BUS2F.
+const LIGHTS: &[u16] = &[1, 2, 3, 4, 5, 6, 7, 8, 0xB, 0xC];
 const LIGHT_SF: u16 = 1;
 const LIGHT_INTF: u16 = 2;
 const LIGHT_RUN: u16 = 4;

@@ -4,13 +4,15 @@ use std::net::Ipv4Addr;
 use std::sync::Arc;
 
 use sieben_cpu::{
-    ClockRefused, Communication, Cpu, DateAndTime, DiagnosticEntry, NoList, NotInStop, OperatingMode, ProtectionLevel, Rack,
+    AccessError, ClockRefused, Communication, Cpu, DateAndTime, DiagnosticEntry, NoList, NotInStop, OperatingMode, ProtectionLevel, Rack,
     ReplaceRefused, Requester, Restart, Settings, StartRefused, Station,
 };
 use sieben_engine::{CodeBlock, Program};
 use sieben_model::block::{BlockAttributes, BlockId, BlockKind, BlockLanguage};
+use sieben_model::item::Item;
 use sieben_model::program::DataBlock;
 use sieben_model::types::{DataType, Field, Structure};
+use sieben_model::value::{Content, Value};
 
 use crate::script::{Script, Step, cpu, cpu_of, cpu_type, operand};
 use crate::{events, value};
@@ -277,6 +279,60 @@ fn a_data_block_that_is_not_only_values_is_refused() {
 }
 
 #[test]
+fn a_read_only_data_block_is_written_by_none_of_those_outside() {
+    let mut cpu = with_blocks();
+    cpu.restart(Restart::Warm);
+    let item = Item::operand(operand("DB5.DBW 2"));
+    let values = [(item.clone(), Value { kind: item.kind.clone(), content: Content::Bits(7) })];
+    let before = cpu.machine().clone();
+    assert_eq!(cpu.modify(&operand("DB5.DBW 2"), 7), Err(AccessError::WriteProtected));
+    assert_eq!(cpu.modify(&operand("DB5.DBX 0.0"), 1), Err(AccessError::WriteProtected));
+    assert_eq!(cpu.modify(&operand("DB5.DBW 4"), 7), Err(AccessError::WriteProtected), "whatever its address");
+    assert_eq!(cpu.write_items(&values), [Err(AccessError::WriteProtected)]);
+    assert!(*cpu.machine() == before);
+    assert!(cpu.read_items(&[item]).iter().all(Result::is_ok));
+    assert_eq!(cpu.modify(&operand("DB1.DBW 2"), 7), Ok(()));
+    // A scenario or a step tries things out.
+    assert_eq!(cpu.set(&values[0].0, &values[0].1.content), Ok(()));
+    assert_eq!(value(&cpu, "DB5.DBW 2"), 7);
+}
+
+#[test]
+fn ram_copied_to_rom_comes_back_at_a_cold_restart_and_a_memory_reset() {
+    let mut cpu = with_blocks();
+    cpu.restart(Restart::Warm);
+    let set = |cpu: &mut Cpu, number: u16, value: u32| {
+        cpu.modify(&operand(&format!("DB{number}.DBD 0")), value).expect("a data block");
+    };
+    let read = |cpu: &Cpu| [1, 2, 3].map(|number| value(cpu, &format!("DB{number}.DBD 0")));
+    for number in [1, 3] {
+        set(&mut cpu, number, 7);
+    }
+    assert_eq!(station(&mut cpu).copy_ram_to_rom(), 2);
+    assert_eq!(station(&mut cpu).copy_ram_to_rom(), 0, "nothing has changed since");
+    for number in [1, 2, 3] {
+        set(&mut cpu, number, 8);
+    }
+    cpu.restart(Restart::Warm);
+    assert_eq!(read(&cpu), [8, 8, 7], "NON_RETAIN comes from the load memory");
+    cpu.restart(Restart::Cold);
+    assert_eq!(read(&cpu), [7, 0x0202_0202, 7]);
+    let image = cpu.retain_image().expect("an image").clone();
+    let mut next = with_blocks();
+    next.restore(&image, sieben_cpu::retain::Adoption::SameProgram).expect("the same program");
+    next.restart(Restart::Cold);
+    assert_eq!(read(&next), [7, 0x0202_0202, 7], "a power failure does not forget it");
+    // The values of the sources again.
+    set(&mut cpu, 1, 0x0101_0101);
+    assert_eq!(station(&mut cpu).copy_ram_to_rom(), 1);
+    assert_eq!(station(&mut cpu).data_block_values(1), Some(vec![1; 4]));
+    assert_eq!(station(&mut cpu).data_block_values(4), Some(vec![4; 4]), "UNLINKED: those of the load memory");
+    assert_eq!(station(&mut cpu).data_block_values(9), None);
+    assert!(!station(&mut cpu).delete_created_data_block(1), "it is one of the program");
+    assert!(!station(&mut cpu).delete_created_data_block(9));
+}
+
+#[test]
 fn status_lists_show_what_servers_have_told() {
     let mut cpu = cpu(&[(1, &[])], Settings::default());
     cpu.restart(Restart::Warm);
@@ -300,11 +356,14 @@ fn status_lists_show_what_servers_have_told() {
         system_name: "Halle Süd".to_owned(),
         module_name: "a name of far more than twenty-four characters".to_owned(),
         plant_name: "=A1+漢".to_owned(),
+        address: Some("192.168.0.7".parse().expect("an address")),
     };
     station(&mut cpu).set_communication(told.clone());
     assert_eq!(*cpu.communication(), told);
+    let ethernet = station(&mut cpu).status_list(0x0037, 0).expect("a list").records;
+    assert_eq!(ethernet.iter().map(|record| record[..6].to_vec()).collect::<Vec<_>>(), [[0x07, 0xFE, 192, 168, 0, 7]]);
     assert_eq!(words(&mut cpu, 0x0132, 1)[..9], [1, 1, 1, 2, 0, 0, 0, 8, 5]);
-    for list in [words(&mut cpu, 0x0132, 4), words(&mut cpu, 0x0232, 0)] {
+    for list in [words(&mut cpu, 0x0132, 4), words(&mut cpu, 0x0232, 4)] {
         assert_eq!(list[..6], [4, 1, 3, 3, 1, 2]);
     }
     assert_eq!(names(&mut cpu), ["Halle S\u{FFFD}d", "a name of far more than ", "=A1+?"], "one byte for each character");

@@ -2,6 +2,7 @@
 
 mod cyclic;
 pub mod modules;
+pub mod servers;
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -24,6 +25,7 @@ use toml::de::{DeTable, DeValue};
 
 use crate::nearest::{nearest, one_of};
 use modules::Module;
+use servers::Servers;
 
 /// Name of the file that makes a folder a project.
 pub const FILE_NAME: &str = "sieben.toml";
@@ -79,6 +81,8 @@ pub struct Settings {
     pub retain: Retain,
     /// `[[module]]`: simulated devices.
     pub modules: Vec<Module>,
+    /// `[servers]`: who serves clients over the network.
+    pub servers: Servers,
 }
 
 /// What is retentive, as far as the file says.
@@ -145,7 +149,23 @@ const KEYS: &[Key] = &[
     used("", "library"),
     used("", "module"),
     used("", "cyclic"),
-    later("", "servers"),
+    used("", "servers"),
+    used("servers", "s7"),
+    later("servers", "modbus"),
+    later("servers", "mqtt"),
+    used("servers.s7", "listen"),
+    used("servers.s7", "protection"),
+    used("servers.s7", "password"),
+    used("servers.s7", "read_only"),
+    used("servers.s7", "allow"),
+    used("servers.s7", "max_connections"),
+    used("servers.s7", "strict"),
+    used("servers.s7", "strict_slot"),
+    used("servers.s7", "audit"),
+    used("servers.s7", "pcap"),
+    used("servers.s7.audit", "file"),
+    used("servers.s7.audit", "writes"),
+    used("servers.s7.audit", "required"),
     used("project", "name"),
     used("project", "sources"),
     used("project", "symbols"),
@@ -205,6 +225,7 @@ impl Reader {
             match (key.get_ref().as_ref(), value.get_ref()) {
                 ("library", DeValue::Table(inner)) => self.library(inner),
                 ("cyclic", DeValue::Table(inner)) => self.cyclic(inner),
+                ("servers", DeValue::Table(inner)) => self.servers(inner),
                 ("module", _) => self.modules(value),
                 (name @ ("project" | "cpu"), DeValue::Table(inner)) => self.table(name, inner),
                 (name, _) => self.wrong(value, &format!("`{name}` is a table: write `[{name}]` on a line of its own, and its keys below")),
@@ -537,7 +558,7 @@ mod tests {
             ("[cpu.retain]\nt = \"9..1\"\n", "P6009: `9..1` runs backwards; write `1..9`"),
             ("[cpu.retain]\nz = \"0\"\n", "P6008: there is no key `z` in `[cpu.retain]`"),
             ("[cpu.retain]\nsync = 1\n", "P6009: `sync` is a duration in quotes: `sync = \"10ms\"`"),
-            ("[servers.s7]\nlisten = \"x\"\n", "P6012: `servers` is known, but this version of Sieben does not use it yet"),
+            ("[servers.modbus]\nlisten = \"x\"\n", "P6012: `servers.modbus` is known, but this version of Sieben does not use it yet"),
         ] {
             assert_eq!(messages(text), [expected], "{text}");
         }

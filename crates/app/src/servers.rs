@@ -1,0 +1,235 @@
+//! The servers of a run: what the command line and the project say of them, and how they begin and end.
+
+use std::ffi::OsStr;
+use std::io::{self, ErrorKind, Seek, SeekFrom};
+use std::net::{IpAddr, SocketAddr, TcpListener};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::SystemTime;
+
+use clap::Args;
+use rustix::io::Errno;
+use serde_json::{Value, json};
+use sieben_comm::config::{Config, LISTEN};
+use sieben_comm::recording::audit::Audit;
+use sieben_comm::recording::frames::Frames;
+use sieben_comm::recording::{Recorders, Sink};
+use sieben_comm::s7comm::session::Shared;
+use sieben_comm::server::{self, Server, Setup, View};
+use sieben_cpu::ProtectionLevel;
+use sieben_model::cpu_type::CpuType;
+use sieben_model::problems::Problem;
+use sieben_workspace::Gate;
+use sieben_workspace::project::Project;
+use sieben_workspace::settings::servers::address;
+
+use crate::failure::Failure;
+use crate::folder::{self, Folder};
+
+/// First port that needs no right of its own.
+const FREE_PORTS: u16 = 1024;
+
+/// Who may reach a run over the network.
+#[derive(Args, Clone, Debug, Default)]
+pub(crate) struct ServerArguments {
+    /// Serve S7 clients, at this address [default: that of the project, else 127.0.0.1:1102]
+    #[arg(long, value_name = "ADDRESS", num_args = 0..=1, default_missing_value = "")]
+    s7: Option<String>,
+    /// Let others than this computer reach a server, at exactly this address: `s7=0.0.0.0:102`
+    #[arg(long, value_name = "SERVER=ADDRESS", value_parser = exposed)]
+    expose: Vec<SocketAddr>,
+}
+
+fn exposed(text: &str) -> Result<SocketAddr, String> {
+    let wanted = || format!("`{text}` is no server with its address; write `s7=0.0.0.0:1102`");
+    let (name, place) = text.split_once('=').ok_or_else(wanted)?;
+    if name != "s7" {
+        return Err(format!("there is no server `{name}`; write `s7=0.0.0.0:1102`"));
+    }
+    address(place).ok_or_else(wanted)
+}
+
+impl ServerArguments {
+    /// Takes a path back that followed `--s7`, where an address may stand.
+    pub(crate) fn give_back(&mut self, paths: &mut Vec<PathBuf>) -> Result<(), Failure> {
+        let Some(word) = self.s7.as_ref().filter(|word| !word.is_empty() && address(word).is_none()) else { return Ok(()) };
+        if !Path::new(word).exists() {
+            let message = format!("`{word}` is neither an address nor a file or folder");
+            return Err(Failure::usage(Problem::P7001, message).help("write `--s7 127.0.0.1:1102`, or `--s7` alone"));
+        }
+        paths.insert(0, PathBuf::from(word));
+        self.s7 = Some(String::new());
+        Ok(())
+    }
+
+    /// What the S7 server does, if there is to be one.
+    pub(crate) fn config(&self, project: &Project, always: Always) -> Result<Option<Config>, Failure> {
+        let file = project.settings.servers.s7.as_ref();
+        let named = self.s7.as_deref().and_then(address);
+        if self.s7.is_none() && self.expose.is_empty() && always == Always::No {
+            return Ok(None);
+        }
+        let mut config = Config::of(file.unwrap_or(&Default::default()));
+        let of_file = file.and_then(|file| file.listen).map(|(address, _)| address);
+        config.listen = named.or(of_file).or(self.expose.last().copied()).unwrap_or(LISTEN);
+        self.check(config.listen)?;
+        Ok(Some(config))
+    }
+
+    /// Only this computer reaches a server that was not exposed.
+    fn check(&self, listen: SocketAddr) -> Result<(), Failure> {
+        let is_ours = |address: IpAddr| address.to_canonical().is_loopback();
+        if is_ours(listen.ip()) || self.expose.contains(&listen) {
+            return Ok(());
+        }
+        let message = match self.expose.last() {
+            Some(other) => format!("the S7 server would listen at {listen}, but what `--expose` names is {other}"),
+            None => format!(
+                "{listen} can be reached by other computers, and S7 has no encryption: who reaches it reads, writes and stops this CPU"
+            ),
+        };
+        Err(Failure::usage(Problem::P7100, message).help(format!(
+            "if the network is yours and you want that, add `--expose s7={listen}`; for this computer alone, `--s7 127.0.0.1:{}`",
+            listen.port()
+        )))
+    }
+}
+
+/// Whether there is a server although nobody asked for one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Always {
+    /// A run, which has servers only if it is told so.
+    No,
+    /// `sieben serve`.
+    Yes,
+}
+
+/// The servers of a run.
+pub(crate) struct Servers {
+    s7: Server,
+    protection: ProtectionLevel,
+    has_password: bool,
+    is_exposed: bool,
+}
+
+/// A server that is about to begin: it listens already, so that what is wrong with its address is said before the run begins.
+pub(crate) struct Prepared {
+    listener: TcpListener,
+    config: Config,
+    recorders: Recorders,
+}
+
+impl Prepared {
+    /// Listens, and opens the files that are written.
+    pub(crate) fn new(config: Config, project: &Project) -> Result<Self, Failure> {
+        let listener = server::listen(config.listen).map_err(|error| not_listening(config.listen, &error))?;
+        let home = project.home.as_deref().unwrap_or(Path::new(""));
+        let opened = |file: &str, content: Content| open(home, file, content).map_err(|error| not_written(file, &error));
+        let no_thread = |error: io::Error| Failure::usage(Problem::P7103, format!("no thread can be started: {error}"));
+        let audit = match &config.audit {
+            Some(log) => Some(Audit::start(opened(&log.file, Content::Kept)?, log.writes, log.required).map_err(no_thread)?),
+            None => None,
+        };
+        let frames = match &config.pcap {
+            Some(file) => Some(Frames::start(opened(file, Content::Replaced)?).map_err(no_thread)?),
+            None => None,
+        };
+        Ok(Self { listener, config, recorders: Recorders { audit, frames } })
+    }
+
+    /// Begins to serve.
+    pub(crate) fn start(self, cpu: &'static CpuType, gate: &Arc<Gate>) -> Result<Servers, Failure> {
+        let Self { listener, config, recorders } = self;
+        let (protection, has_password, listen) = (config.protection, config.password.is_some(), config.listen);
+        let setup = Setup { config, shared: Shared::default(), recorders, clock: Box::new(wall_us) };
+        let s7 = Server::start(listener, cpu, Arc::clone(gate), setup).map_err(|error| not_listening(listen, &error))?;
+        let is_exposed = !s7.address().ip().to_canonical().is_loopback();
+        Ok(Servers { s7, protection, has_password, is_exposed })
+    }
+}
+
+impl Servers {
+    /// Where they listen, for programs.
+    pub(crate) fn json(&self) -> Value {
+        json!({ "s7": self.s7.address().to_string() })
+    }
+
+    /// Where they listen, in one line, and what that means.
+    pub(crate) fn text(&self) -> String {
+        let level = match (self.protection, self.has_password) {
+            (ProtectionLevel::Open, _) => "without protection",
+            (ProtectionLevel::WriteProtected, true) => "write protection, with a password",
+            (ProtectionLevel::WriteProtected, false) => "write protection, without a password that lifts it",
+            (ProtectionLevel::ReadWriteProtected, true) => "read and write protection, with a password",
+            (ProtectionLevel::ReadWriteProtected, false) => "read and write protection, without a password that lifts it",
+        };
+        let exposed = match self.is_exposed {
+            true => " Other computers reach it: the protocol has no encryption, and its variables no password.",
+            false => "",
+        };
+        format!("S7 clients are served at {}, {level}.{exposed}\n", self.s7.address())
+    }
+
+    /// Closes all connections in order; what was lost of the records, in a sentence.
+    pub(crate) fn end(&mut self) -> Option<String> {
+        let View { counters, .. } = self.s7.end();
+        let lost = [(counters.audit_lost, "records of the audit log"), (counters.frames_lost, "recorded frames")];
+        let lost: Vec<String> = lost.iter().filter(|(count, _)| *count > 0).map(|(count, what)| format!("{count} {what}")).collect();
+        (!lost.is_empty()).then(|| format!("Lost, because the disk was full or too slow: {}.\n", lost.join(", ")))
+    }
+}
+
+/// Microseconds since 1970.
+fn wall_us() -> u64 {
+    let since = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default();
+    u64::try_from(since.as_micros()).unwrap_or(u64::MAX)
+}
+
+/// What becomes of what a file has already.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Content {
+    /// The new comes after it.
+    Kept,
+    /// It goes.
+    Replaced,
+}
+
+/// Opens a file in the folder of the project; no link in it leads elsewhere.
+fn open(home: &Path, file: &str, content: Content) -> io::Result<Sink> {
+    let (folders, name) = folder::parts(Path::new(file))?;
+    let mut folder = Folder::open(home)?;
+    for part in &folders {
+        folder = folder.make(part)?;
+    }
+    let mut file = folder.write(OsStr::new(name))?;
+    match content {
+        Content::Kept => drop(file.seek(SeekFrom::End(0))?),
+        Content::Replaced => file.set_len(0)?,
+    }
+    Ok(Box::new(file))
+}
+
+fn not_written(file: &str, error: &io::Error) -> Failure {
+    Failure::usage(Problem::P7103, format!("the server cannot write `{file}`: {error}"))
+}
+
+fn not_listening(address: SocketAddr, error: &io::Error) -> Failure {
+    let port = address.port();
+    let other = SocketAddr::new(address.ip(), if port == LISTEN.port() { port + 1 } else { LISTEN.port() });
+    match error.kind() {
+        ErrorKind::AddrInUse => Failure::usage(Problem::P7101, format!("another program listens at {address} already"))
+            .help(format!("end it, perhaps another `sieben`, or choose another port: `--s7 {other}`")),
+        ErrorKind::PermissionDenied if port < FREE_PORTS => {
+            Failure::usage(Problem::P7102, format!("this user may not listen at port {port}, which is below {FREE_PORTS}")).help(format!(
+                "allow it with `sudo setcap cap_net_bind_service=+ep {}`, or in a unit of systemd with `AmbientCapabilities=CAP_NET_BIND_SERVICE`; without, choose another port: `--s7 {other}`",
+                std::env::current_exe().map_or_else(|_| "sieben".to_owned(), |path| crate::paths::shown(&path))
+            ))
+        }
+        ErrorKind::AddrNotAvailable => Failure::usage(Problem::P7102, format!("{} is no address of this computer", address.ip()))
+            .help("`127.0.0.1` is this computer alone, `0.0.0.0` all of its addresses"),
+        _ if Errno::from_io_error(error) == Some(Errno::AFNOSUPPORT) => {
+            Failure::usage(Problem::P7102, format!("this computer has no such addresses: {address}"))
+        }
+        _ => Failure::usage(Problem::P7102, format!("{address} cannot be listened at: {error}")),
+    }
+}

@@ -1,0 +1,384 @@
+//! The audit log: what was done from outside, by whom and between which scans, one JSON object on each line.
+
+use std::collections::BTreeMap;
+use std::net::SocketAddr;
+
+use serde_json::{Map, Value, json};
+use sieben_cpu::{DateAndTime, Restart};
+use sieben_workspace::settings::servers::Writes;
+
+use super::{Recorder, Sink};
+use crate::s7comm::job::{BlockName, TransportSize, Variable, VariableArea};
+use crate::s7comm::session::{Event, What};
+
+/// Writes of the same client to the same item are one record for this long, in microseconds.
+const MERGED_US: u64 = 1_000_000;
+/// Items whose writes are merged at a time; one more, and all of them are noted.
+const MERGED_MAX: usize = 1_024;
+/// Bytes of a written value that are noted.
+const VALUE_BYTES_MAX: usize = 512;
+/// From 1970 to 1990, in milliseconds.
+const FROM_1970_TO_1990_MS: u64 = (20 * 365 + 5) * 86_400_000;
+
+/// Notes what is done from outside.
+pub struct Audit {
+    recorder: Recorder,
+    writes: Writes,
+    required: bool,
+    /// Writes that have a record already, with what came after it.
+    merged: BTreeMap<Key, Merged>,
+}
+
+/// Whose writes to what are merged.
+type Key = (SocketAddr, String);
+
+/// Writes to an item since the record about the first of them.
+struct Merged {
+    /// Until when writes are merged, in microseconds of the gate's clock.
+    until_us: u64,
+    times: u64,
+    /// The last of them, as it is noted.
+    last: Map<String, Value>,
+}
+
+/// When something happened: in microseconds since 1970, and on the gate's clock.
+#[derive(Clone, Copy, Debug)]
+pub struct At {
+    /// In microseconds since 1970.
+    pub wall_us: u64,
+    /// In microseconds on the clock of the gate.
+    pub gate_us: u64,
+}
+
+/// What happened to a connection as such.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Change {
+    /// It was accepted.
+    Connected,
+    /// It has ended.
+    Closed,
+    /// It was refused because of a limit.
+    Refused,
+}
+
+impl Change {
+    fn word(self) -> &'static str {
+        match self {
+            Self::Connected => "connect",
+            Self::Closed => "close",
+            Self::Refused => "refuse",
+        }
+    }
+}
+
+impl Audit {
+    /// Notes into this sink.
+    ///
+    /// # Errors
+    /// The system has no room for another thread.
+    pub fn start(sink: Sink, writes: Writes, required: bool) -> std::io::Result<Self> {
+        let lost = |lost: u64| line(json!({ "what": "lost", "records": lost }).as_object().cloned().unwrap_or_default());
+        Ok(Self { recorder: Recorder::start("s7 audit", sink, lost)?, writes, required, merged: BTreeMap::new() })
+    }
+
+    /// Notes what happened to a connection.
+    pub fn connection(&mut self, peer: SocketAddr, change: Change, at: At) {
+        if change == Change::Closed {
+            let of_peer: Vec<Key> = self.merged.keys().filter(|(other, _)| *other == peer).cloned().collect();
+            of_peer.iter().for_each(|key| self.end_merging(key));
+        }
+        let mut record = head(peer, at);
+        record.insert("what".to_owned(), change.word().into());
+        self.recorder.put(line(record));
+    }
+
+    /// Notes an event of a session.
+    pub fn event(&mut self, event: &Event, at: At) {
+        let mut record = head(event.peer, at);
+        if let Some(scan) = event.scan {
+            record.insert("scan".to_owned(), scan.into());
+        }
+        record.insert("job".to_owned(), event.pdu_reference.into());
+        let object = describe(&event.what, &mut record);
+        record.insert("result".to_owned(), if event.error == 0 { "ok".into() } else { format!("{:04X}", event.error).into() });
+        match object {
+            // What is refused is noted each time.
+            Some(object) if self.writes == Writes::Merged && event.error == 0 => self.merge(event.peer, object, record, at),
+            _ => self.recorder.put(line(record)),
+        }
+    }
+
+    /// Notes the first write to an item, and counts the next ones.
+    fn merge(&mut self, peer: SocketAddr, object: String, record: Map<String, Value>, at: At) {
+        self.tick(at.gate_us);
+        let key = (peer, object);
+        if let Some(merged) = self.merged.get_mut(&key) {
+            merged.times += 1;
+            merged.last = record;
+            return;
+        }
+        if self.merged.len() >= MERGED_MAX {
+            let keys: Vec<Key> = self.merged.keys().cloned().collect();
+            keys.iter().for_each(|key| self.end_merging(key));
+        }
+        self.recorder.put(line(record.clone()));
+        self.merged.insert(key, Merged { until_us: at.gate_us.saturating_add(MERGED_US), times: 0, last: record });
+    }
+
+    /// Notes what was merged for long enough.
+    pub fn tick(&mut self, now_us: u64) {
+        let due: Vec<Key> = self.merged.iter().filter(|(_, merged)| merged.until_us <= now_us).map(|(key, _)| key.clone()).collect();
+        due.iter().for_each(|key| self.end_merging(key));
+    }
+
+    /// When [`Self::tick`] is due.
+    pub fn wake_us(&self) -> Option<u64> {
+        self.merged.values().map(|merged| merged.until_us).min()
+    }
+
+    fn end_merging(&mut self, key: &Key) {
+        if let Some(Merged { times: times @ 1.., mut last, .. }) = self.merged.remove(key) {
+            last.insert("times".to_owned(), times.into());
+            self.recorder.put(line(last));
+        }
+    }
+
+    /// Whether what is not noted has to be refused, and nothing can be noted at the moment.
+    pub fn refuses(&self) -> bool {
+        self.required && !self.recorder.has_room()
+    }
+
+    /// How many records were lost.
+    pub fn lost(&self) -> u64 {
+        self.recorder.lost()
+    }
+}
+
+impl Drop for Audit {
+    fn drop(&mut self) {
+        let keys: Vec<Key> = self.merged.keys().cloned().collect();
+        keys.iter().for_each(|key| self.end_merging(key));
+    }
+}
+
+/// What each record begins with.
+fn head(peer: SocketAddr, at: At) -> Map<String, Value> {
+    let time = DateAndTime::from_ms_since_1990((at.wall_us / 1_000).saturating_sub(FROM_1970_TO_1990_MS));
+    let mut record = Map::new();
+    record.insert("time".to_owned(), format!("{}Z", time.display().replace(' ', "T")).into());
+    record.insert("peer".to_owned(), peer.to_string().into());
+    record
+}
+
+fn line(record: Map<String, Value>) -> Vec<u8> {
+    let mut line = Value::Object(record).to_string().into_bytes();
+    line.push(b'\n');
+    line
+}
+
+/// Adds what was done; the item, if it is one that was written.
+fn describe(what: &What, record: &mut Map<String, Value>) -> Option<String> {
+    let mut put = |key: &str, value: Value| drop(record.insert(key.to_owned(), value));
+    let (word, block) = match what {
+        What::Setup(bytes) => {
+            put("pdu", (*bytes).into());
+            ("setup", None)
+        }
+        What::Write(variable, bytes) => {
+            let object = object(variable);
+            put("what", "write".into());
+            put("object", object.clone().into());
+            let shown = bytes.get(..VALUE_BYTES_MAX).unwrap_or(bytes);
+            put("value", shown.iter().map(|byte| format!("{byte:02X}")).collect::<String>().into());
+            return Some(object);
+        }
+        What::SetClock => ("set_clock", None),
+        What::Stop => ("stop", None),
+        What::Start(restart) => {
+            put("restart", restart_word(*restart).into());
+            ("start", None)
+        }
+        What::CopyRamToRom => ("copy_ram_to_rom", None),
+        What::Compress => ("compress", None),
+        What::MemoryReset => ("memory_reset", None),
+        What::Upload(block) => ("upload", Some(block)),
+        What::Download(block) => ("download", Some(block)),
+        What::Link(block) => ("link", Some(block)),
+        What::Delete(block) => ("delete", Some(block)),
+        What::Password => ("password", None),
+        What::PasswordCleared => ("password_cleared", None),
+    };
+    put("what", word.into());
+    if let Some(block) = block {
+        put("object", block_text(block).into());
+    }
+    None
+}
+
+fn restart_word(restart: Restart) -> &'static str {
+    match restart {
+        Restart::Warm => "warm",
+        Restart::Cold => "cold",
+        Restart::Hot => "hot",
+    }
+}
+
+fn block_text(block: &BlockName) -> String {
+    let kind = block.block_type.kind().map_or("SDB", |kind| kind.abbreviation());
+    format!("{kind} {}", block.number)
+}
+
+/// A variable as an ANY pointer of STL names it: `P#DB1.DBX0.0 WORD 3`.
+fn object(variable: &Variable) -> String {
+    let Variable { area, size, count, address } = variable;
+    let (byte, bit) = (address / 8, address % 8);
+    let place = match area {
+        VariableArea::Timer => return numbered("T", *address, *count),
+        VariableArea::Counter => return numbered("C", *address, *count),
+        VariableArea::DataBlock(number) => format!("DB{number}.DBX"),
+        VariableArea::Peripheral => "P".to_owned(),
+        VariableArea::Input => "I".to_owned(),
+        VariableArea::Output => "Q".to_owned(),
+        VariableArea::BitMemory => "M".to_owned(),
+    };
+    let size = match size {
+        TransportSize::Bit => "BOOL",
+        TransportSize::Byte => "BYTE",
+        TransportSize::Char => "CHAR",
+        TransportSize::Word => "WORD",
+        TransportSize::Int => "INT",
+        TransportSize::DoubleWord => "DWORD",
+        TransportSize::DoubleInt => "DINT",
+        TransportSize::Real => "REAL",
+        TransportSize::Timer => "TIMER",
+        TransportSize::Counter => "COUNTER",
+    };
+    format!("P#{place}{byte}.{bit} {size} {count}")
+}
+
+fn numbered(letter: &str, first: u32, count: u16) -> String {
+    match count {
+        0 | 1 => format!("{letter} {first}"),
+        _ => format!("{letter} {first}..{}", first.saturating_add(u32::from(count) - 1)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::io::{self, Write};
+    use std::sync::{Arc, Mutex};
+
+    use super::*;
+
+    #[derive(Clone, Default)]
+    struct Memory(Arc<Mutex<Vec<u8>>>);
+
+    impl Write for Memory {
+        fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+            self.0.lock().expect("a test").extend_from_slice(bytes);
+            Ok(bytes.len())
+        }
+        fn flush(&mut self) -> io::Result<()> {
+            Ok(())
+        }
+    }
+
+    fn noted(writes: Writes, what: impl FnOnce(&mut Audit)) -> Vec<String> {
+        let memory = Memory::default();
+        let mut audit = Audit::start(Box::new(memory.clone()), writes, false).expect("a thread");
+        what(&mut audit);
+        drop(audit);
+        let text = String::from_utf8(memory.0.lock().expect("a test").clone()).expect("text");
+        text.lines().map(str::to_owned).collect()
+    }
+
+    fn at(gate_us: u64) -> At {
+        At { wall_us: 1_764_354_000_123_000 + gate_us, gate_us }
+    }
+
+    fn write(address: u32, value: u8, error: u16) -> Event {
+        let variable = Variable { area: VariableArea::DataBlock(1), size: TransportSize::Byte, count: 1, address };
+        Event {
+            peer: "127.0.0.1:5000".parse().expect("an address"),
+            pdu_reference: 7,
+            scan: Some(12),
+            what: What::Write(variable, Box::new([value])),
+            error,
+        }
+    }
+
+    #[test]
+    fn writes_of_a_second_are_two_records_and_refusals_one_each() {
+        let lines = noted(Writes::Merged, |audit| {
+            for value in 0..100 {
+                audit.event(&write(80, value, 0), at(u64::from(value) * 1_000));
+            }
+            audit.event(&write(80, 1, 3), at(200_000));
+            audit.event(&write(88, 9, 0), at(300_000));
+            audit.tick(1_000_000);
+            audit.event(&write(80, 200, 0), at(1_100_000));
+        });
+        let expected = [
+            r#"{"time":"2025-11-28T18:20:00.123Z","peer":"127.0.0.1:5000","scan":12,"job":7,"what":"write","object":"P#DB1.DBX10.0 BYTE 1","value":"00","result":"ok"}"#,
+            r#"{"time":"2025-11-28T18:20:00.323Z","peer":"127.0.0.1:5000","scan":12,"job":7,"what":"write","object":"P#DB1.DBX10.0 BYTE 1","value":"01","result":"0003"}"#,
+            r#"{"time":"2025-11-28T18:20:00.423Z","peer":"127.0.0.1:5000","scan":12,"job":7,"what":"write","object":"P#DB1.DBX11.0 BYTE 1","value":"09","result":"ok"}"#,
+            r#"{"time":"2025-11-28T18:20:00.222Z","peer":"127.0.0.1:5000","scan":12,"job":7,"what":"write","object":"P#DB1.DBX10.0 BYTE 1","value":"63","result":"ok","times":99}"#,
+            r#"{"time":"2025-11-28T18:20:01.223Z","peer":"127.0.0.1:5000","scan":12,"job":7,"what":"write","object":"P#DB1.DBX10.0 BYTE 1","value":"C8","result":"ok"}"#,
+        ];
+        assert_eq!(lines, expected);
+        let all = noted(Writes::All, |audit| (0..100).for_each(|value| audit.event(&write(80, value, 0), at(0))));
+        assert_eq!(all.len(), 100);
+    }
+
+    #[test]
+    fn no_number_of_items_takes_more_memory() {
+        let lines = noted(Writes::Merged, |audit| {
+            for address in 0..3 * MERGED_MAX as u32 {
+                audit.event(&write(address * 8, 0, 0), at(0));
+                assert!(audit.merged.len() <= MERGED_MAX);
+            }
+        });
+        assert_eq!(lines.len(), 3 * MERGED_MAX);
+    }
+
+    #[test]
+    fn a_connection_that_ends_leaves_nothing_merged() {
+        let peer = "127.0.0.1:5000".parse().expect("an address");
+        let lines = noted(Writes::Merged, |audit| {
+            audit.connection(peer, Change::Connected, at(0));
+            (0..3).for_each(|value| audit.event(&write(80, value, 0), at(0)));
+            audit.connection(peer, Change::Closed, at(10));
+            assert_eq!(audit.wake_us(), None);
+        });
+        let words: Vec<_> = lines.iter().map(|line| serde_json::from_str::<Value>(line).expect("JSON")["what"].to_string()).collect();
+        assert_eq!(words, ["\"connect\"", "\"write\"", "\"write\"", "\"close\""]);
+    }
+
+    #[test]
+    fn everything_that_is_done_has_a_word() {
+        let block =
+            BlockName { block_type: crate::s7comm::job::BlockType::DataBlock, number: 5, place: crate::s7comm::job::BlockPlace::Active };
+        for (what, part) in [
+            (What::Setup(240), r#""pdu":240,"what":"setup","#),
+            (What::SetClock, r#""what":"set_clock""#),
+            (What::Stop, r#""what":"stop""#),
+            (What::Start(Restart::Cold), r#""restart":"cold","what":"start""#),
+            (What::CopyRamToRom, r#""what":"copy_ram_to_rom""#),
+            (What::Compress, r#""what":"compress""#),
+            (What::MemoryReset, r#""what":"memory_reset""#),
+            (What::Upload(block), r#""what":"upload","object":"DB 5""#),
+            (What::Download(block), r#""what":"download","object":"DB 5""#),
+            (What::Link(block), r#""what":"link","object":"DB 5""#),
+            (What::Delete(block), r#""what":"delete","object":"DB 5""#),
+            (What::Password, r#""what":"password""#),
+            (What::PasswordCleared, r#""what":"password_cleared""#),
+        ] {
+            let event = Event { what, scan: None, ..write(0, 0, 0xD241) };
+            let lines = noted(Writes::Merged, |audit| audit.event(&event, at(0)));
+            assert!(lines[0].contains(part), "{} has no {part}", lines[0]);
+            assert!(lines[0].ends_with(r#""result":"D241"}"#));
+        }
+        let timers = Variable { area: VariableArea::Timer, size: TransportSize::Timer, count: 3, address: 4 };
+        assert_eq!(object(&timers), "T 4..6");
+    }
+}

@@ -1,0 +1,56 @@
+//! What a server says about itself: its connections, and what it has counted.
+
+use std::net::SocketAddr;
+
+use crate::s7comm::session::Requests;
+
+/// What a server says about itself.
+#[derive(Clone, Debug, Default)]
+pub struct View {
+    /// Those who are connected, in the order in which they came.
+    pub connections: Vec<ConnectionView>,
+    /// What it has counted.
+    pub counters: Counters,
+}
+
+/// A connection.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ConnectionView {
+    /// Its number: connections are counted from 1.
+    pub number: u64,
+    /// Who is on the other side.
+    pub peer: SocketAddr,
+    /// When it came, in microseconds of the gate's clock.
+    pub since_us: u64,
+    /// How long its PDUs are; `None` before the setup.
+    pub pdu_bytes: Option<usize>,
+    /// When bytes came last, in microseconds of the gate's clock.
+    pub heard_us: u64,
+    /// Bytes that came.
+    pub bytes_in: u64,
+    /// Bytes that were sent.
+    pub bytes_out: u64,
+}
+
+/// What a server has counted since it began.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Counters {
+    /// Connections that were accepted.
+    pub connections: u64,
+    /// Connections that were refused because of a limit.
+    pub refused: u64,
+    /// Requests by function.
+    pub requests: Requests,
+    /// Jobs that were done at the gate.
+    pub jobs: u64,
+    /// Entries of the gate.
+    pub entries: u64,
+    /// Bytes that came.
+    pub bytes_in: u64,
+    /// Bytes that were sent.
+    pub bytes_out: u64,
+    /// Records of the audit log that were lost.
+    pub audit_lost: u64,
+    /// Recorded frames that were lost.
+    pub frames_lost: u64,
+}
