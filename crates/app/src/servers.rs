@@ -14,12 +14,15 @@ use sieben_comm::config::{Config, LISTEN};
 use sieben_comm::recording::audit::Audit;
 use sieben_comm::recording::frames::Frames;
 use sieben_comm::recording::{Recorders, Sink};
+use sieben_comm::s7comm::guard::Function;
 use sieben_comm::s7comm::session::Shared;
-use sieben_comm::server::{self, Server, Setup, View};
+use sieben_comm::s7comm::wire::cotp::Partner;
+use sieben_comm::server::{self, ConnectionView, Server, Setup, View};
 use sieben_cpu::ProtectionLevel;
 use sieben_model::cpu_type::CpuType;
 use sieben_model::problems::Problem;
 use sieben_workspace::Gate;
+use sieben_workspace::control::{Client, Clients};
 use sieben_workspace::project::Project;
 use sieben_workspace::settings::servers::address;
 
@@ -168,6 +171,27 @@ impl Servers {
             false => "",
         };
         format!("S7 clients are served at {}, {level}.{exposed}\n", self.s7.address())
+    }
+
+    /// Their clients, for those who look at the run.
+    pub(crate) fn clients(&self, gate: &Arc<Gate>) -> Clients {
+        let (viewer, gate) = (self.s7.viewer(), Arc::clone(gate));
+        Box::new(move || {
+            let now_us = gate.now_us();
+            let client = |one: ConnectionView| Client {
+                protocol: "S7",
+                peer: one.peer.to_string(),
+                partner: one.partner.map(|partner| match partner {
+                    Partner::ProgrammingDevice => "PG",
+                    Partner::OperatorPanel => "OP",
+                    Partner::Other => "other",
+                }),
+                for_us: now_us.saturating_sub(one.since_us),
+                last: one.last.map(Function::name),
+                pdu_bytes: one.pdu_bytes,
+            };
+            viewer.view().connections.into_iter().map(client).collect()
+        })
     }
 
     /// Closes all connections in order; what was lost of the records, in a sentence.

@@ -194,6 +194,7 @@ pub(crate) fn run_as(verb: Verb, mut arguments: RunArguments) -> Result<Exit, Fa
     }
     let mut servers = prepared.map(|prepared| prepared.start(build.cpu, &gate)).transpose()?;
     if let Some(servers) = &servers {
+        facts.set_clients(servers.clients(&gate));
         match arguments.json {
             false => output::message(&servers.text()),
             // Whoever waits for the server reads this line.

@@ -23,6 +23,8 @@ const RUN_WIDTH: u16 = 40;
 const BYTES_WIDTH: u16 = 40;
 /// Both with their frames.
 const HEAD_HEIGHT: u16 = 10;
+/// Clients of servers that are shown at most; of more their number is.
+const CLIENT_ROWS: u16 = 4;
 /// Rows of the cause of a STOP at most.
 const STOP_ROWS: u16 = 3;
 
@@ -45,6 +47,13 @@ pub(super) fn draw(frame: &mut Frame<'_>, look: &Look, palette: Palette, message
     if let Some(stop) = stop {
         let text = Line::styled(format!(" {}", visible(&stop)), palette.colour(Color::Yellow));
         frame.render_widget(Paragraph::new(text).wrap(Wrap { trim: false }), cause);
+    }
+    let clients = look.clients();
+    let client_rows = u16::try_from(clients.len()).unwrap_or(u16::MAX).min(CLIENT_ROWS);
+    let clients_height = if client_rows == 0 { 0 } else { (client_rows + 2).min(body.height / 4) };
+    let [body, below] = Layout::vertical([Constraint::Fill(1), Constraint::Length(clients_height)]).areas(body);
+    if clients_height > 0 {
+        draw_clients(frame, below, &clients, palette);
     }
     if area.width < WIDE {
         draw_narrow(frame, body, look, palette);
@@ -183,6 +192,16 @@ fn draw_values(frame: &mut Frame<'_>, area: Rect, look: &Look, palette: Palette)
         _ => " Values ".to_owned(),
     };
     let lines: Vec<Line<'_>> = look.values.iter().take(rows).map(line).collect();
+    frame.render_widget(Paragraph::new(lines).block(palette.frame(title)), area);
+}
+
+fn draw_clients(frame: &mut Frame<'_>, area: Rect, clients: &[String], palette: Palette) {
+    let rows = usize::from(area.height.saturating_sub(2));
+    let title = match clients.len() {
+        count if count > rows => format!(" Clients · {rows} of {count} "),
+        _ => " Clients ".to_owned(),
+    };
+    let lines: Vec<Line<'_>> = clients.iter().take(rows).map(|client| Line::raw(format!(" {}", visible(client)))).collect();
     frame.render_widget(Paragraph::new(lines).block(palette.frame(title)), area);
 }
 

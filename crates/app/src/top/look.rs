@@ -197,6 +197,17 @@ impl Look {
         forced.map(|one| format!("{} = {}", one["name"].as_str().unwrap_or_default(), one["shown"].as_str().unwrap_or_default())).collect()
     }
 
+    /// The clients of servers, a line for each.
+    pub(super) fn clients(&self) -> Vec<String> {
+        let line = |client: &Value| {
+            let word = |key: &str, otherwise: &'static str| client[key].as_str().unwrap_or(otherwise).to_owned();
+            let (protocol, peer, partner) = (word("protocol", ""), word("peer", ""), word("partner", "-"));
+            let time = clock(client["connected_ms"].as_f64().unwrap_or_default() as u64);
+            format!("{protocol}  {peer:<21}  {partner:<5}  {:<14}  for {time}", word("last", "-"))
+        };
+        self.state["clients"].as_array().into_iter().flatten().map(line).collect()
+    }
+
     /// The blocks in one text.
     pub(super) fn blocks_text(&self) -> String {
         let more = self.block_count.saturating_sub(self.blocks.len() as u64);
@@ -247,6 +258,11 @@ impl Look {
         let forced = self.forced();
         if !forced.is_empty() {
             text.push_str(&format!("Forced: {}\n", forced.join(", ")));
+        }
+        let clients = self.clients();
+        if !clients.is_empty() {
+            text.push_str("Clients:\n");
+            clients.iter().for_each(|client| text.push_str(&format!("  {client}\n")));
         }
         text.push_str(&format!("Blocks: {}\nDiagnostic buffer, newest first:\n", self.blocks_text()));
         self.entries.iter().for_each(|entry| text.push_str(&format!("  {}\n", entry_text(entry))));

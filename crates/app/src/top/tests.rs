@@ -64,6 +64,19 @@ fn a_larger_terminal_has_room_for_values() {
 }
 
 #[test]
+fn clients_of_servers_are_listed_and_many_are_counted() {
+    let client = |port: u16| json!({ "protocol": "S7", "peer": format!("10.0.0.9:{port}"), "partner": "PG", "connected_ms": 61_000.0, "last": "read", "pdu": 240 });
+    let few = look(json!({ "clients": [client(50_001)] }));
+    let screen = shown(&few, (80, 24), None);
+    assert!(screen.contains("S7  10.0.0.9:50001         PG     read            for 1:01.0 min"), "{screen}");
+    assert!(few.text().contains("Clients:\n  S7  10.0.0.9:50001"), "{}", few.text());
+    let many = look(json!({ "clients": (0..9).map(client).collect::<Vec<_>>() }));
+    let screen = shown(&many, (130, 40), None);
+    assert!(screen.contains(" Clients · 4 of 9 "), "{screen}");
+    assert!(!shown(&look(json!({})), (130, 40), None).contains("Clients"));
+}
+
+#[test]
 fn the_picture_in_the_documentation_is_what_the_screen_shows() {
     let page = include_str!("../../../../docs/how-to/watch-a-run.md");
     let picture = page.split("```text\n").nth(1).and_then(|rest| rest.split("```").next()).expect("a picture on the page");

@@ -7,6 +7,7 @@ use rustix::event::epoll::EventFlags;
 use super::sockets::{self, Input};
 use super::view::ConnectionView;
 use crate::recording::frames::Flow;
+use crate::s7comm::guard::Function;
 use crate::s7comm::session::Session;
 
 /// A connection.
@@ -25,6 +26,8 @@ pub(super) struct Connection {
     pub(super) since_us: u64,
     /// When bytes came last.
     pub(super) heard_us: u64,
+    /// What it asked for last.
+    pub(super) last: Option<Function>,
     pub(super) bytes_in: u64,
     pub(super) bytes_out: u64,
     /// What it is in the recording.
@@ -56,6 +59,8 @@ impl Connection {
             number: self.number,
             peer: self.peer,
             since_us: self.since_us,
+            partner: self.session.partner(),
+            last: self.last,
             pdu_bytes: self.session.pdu_bytes(),
             heard_us: self.heard_us,
             bytes_in: self.bytes_in,

@@ -18,10 +18,11 @@ use super::view::Counters;
 use super::{Common, Setup, WallClock};
 use crate::config::{CONNECTIONS_OF_ADDRESS_MAX, Config};
 use crate::recording::Recorders;
-use crate::recording::audit::{At, Change};
+use crate::recording::audit::{At, Audit, Change};
 use crate::recording::frames::Direction;
-use crate::s7comm::guard::Rules;
+use crate::s7comm::guard::{Rules, Writing};
 use crate::s7comm::session::{Session, Shared};
+use crate::s7comm::wire::cotp::Partner;
 
 /// What the handles are waited for as; connections are numbered from 1.
 const LISTENER: u64 = 0;
@@ -49,7 +50,14 @@ pub(super) struct EventLoop {
     address: SocketAddr,
     gate: Arc<Gate>,
     config: Config,
+    /// The rules for all connections.
     rules: Arc<Rules>,
+    /// Those that hold while nothing can be noted that has to be.
+    rules_unnoted: Arc<Rules>,
+    /// Whether these hold.
+    is_unnoted: bool,
+    /// Most connections at a time.
+    connections_max: usize,
     shared: Shared,
     recorders: Recorders,
     clock: WallClock,
@@ -81,6 +89,8 @@ impl EventLoop {
     ) -> io::Result<Self> {
         let Setup { config, shared, recorders, clock } = setup;
         let poll = Poll::new()?;
+        let rules = config.rules(cpu);
+        let of_cpu = if config.strict { gate.enter(|plant| connections_of(&plant.cpu)).ok().flatten() } else { None };
         listener.set_nonblocking(true)?;
         poll.add(&listener, LISTENER, EventFlags::IN)?;
         poll.add(&common.wake, WAKE, EventFlags::IN)?;
@@ -89,7 +99,10 @@ impl EventLoop {
             address: listener.local_addr()?,
             listener: Some(listener),
             gate,
-            rules: Arc::new(config.rules(cpu)),
+            rules_unnoted: Arc::new(Rules { writing: Writing::ReadOnly, ..rules.clone() }),
+            rules: Arc::new(rules),
+            is_unnoted: false,
+            connections_max: of_cpu.map_or(config.connections_max, |most| most.min(config.connections_max)),
             config,
             shared,
             recorders,
@@ -132,6 +145,11 @@ impl EventLoop {
         At { wall_us: (self.clock)(), gate_us }
     }
 
+    /// The rules that hold now.
+    fn rules(&self) -> &Arc<Rules> {
+        if self.is_unnoted { &self.rules_unnoted } else { &self.rules }
+    }
+
     /// Takes in what has come since the last iteration.
     fn take_in(&mut self, ready: &[(u64, EventFlags)]) {
         for &(token, flags) in ready {
@@ -169,6 +187,7 @@ impl EventLoop {
                     frames.bytes(flow, Direction::In, bytes, (self.clock)(), "");
                 }
                 connection.session.receive(bytes, &mut self.shared, now_us);
+                connection.last = self.shared.requests.take_last().or(connection.last);
             }
             Input::Nothing => {}
             Input::End => connection.has_ended = true,
@@ -198,7 +217,7 @@ impl EventLoop {
         self.last += 1;
         let (number, now_us) = (self.last, self.gate.now_us());
         let of_address = self.connections.values().filter(|other| other.peer.ip() == peer.ip()).count();
-        let is_full = self.connections.len() >= self.config.connections_max || of_address >= CONNECTIONS_OF_ADDRESS_MAX;
+        let is_full = self.connections.len() >= self.connections_max || of_address >= CONNECTIONS_OF_ADDRESS_MAX;
         if sockets::prepare(&stream).is_err() {
             return;
         }
@@ -218,7 +237,7 @@ impl EventLoop {
         let flow = self.recorders.frames.as_ref().map(|frames| frames.begin(peer, self.address.ip(), (self.clock)()));
         let connection = Connection {
             number,
-            session: Session::new(Arc::clone(&self.rules), peer, now_us),
+            session: Session::new(Arc::clone(self.rules()), peer, now_us),
             stream,
             peer,
             waits_for: EventFlags::IN,
@@ -226,6 +245,7 @@ impl EventLoop {
             is_gone: false,
             since_us: now_us,
             heard_us: now_us,
+            last: None,
             bytes_in: 0,
             bytes_out: 0,
             flow,
@@ -243,6 +263,12 @@ impl EventLoop {
                 Ok(()) => None,
                 Err(_) => Some(now_us.saturating_add(NO_ROOM_US)),
             };
+        }
+        let is_unnoted = self.recorders.audit.as_ref().is_some_and(Audit::refuses);
+        if is_unnoted != self.is_unnoted {
+            self.is_unnoted = is_unnoted;
+            let rules = Arc::clone(self.rules());
+            self.connections.values_mut().for_each(|connection| connection.session.set_rules(Arc::clone(&rules)));
         }
         for connection in self.connections.values_mut() {
             if connection.session.wake_us().is_some_and(|at| at <= now_us) {
@@ -304,8 +330,17 @@ impl EventLoop {
 
     /// What the CPU is told of the connections.
     fn communication(&self) -> Communication {
-        let others = u16::try_from(self.connections.len()).unwrap_or(u16::MAX);
-        Communication { others, protection: self.config.protection, ..Communication::default() }
+        let count = |partner| {
+            let of_partner = self.connections.values().filter(|one| one.session.partner() == Some(partner)).count();
+            u16::try_from(of_partner).unwrap_or(u16::MAX)
+        };
+        Communication {
+            programming_devices: count(Partner::ProgrammingDevice),
+            operator_panels: count(Partner::OperatorPanel),
+            others: count(Partner::Other),
+            protection: self.config.protection,
+            ..Communication::default()
+        }
     }
 
     /// Notes what the sessions have done.
@@ -424,6 +459,7 @@ impl EventLoop {
             return Some(0);
         }
         let dues = self.connections.values().filter_map(|one| one.session.wake_us());
+        let dues = dues.chain(self.is_unnoted.then(|| self.gate.now_us().saturating_add(NO_ROOM_US)));
         let dues = dues.chain(self.closing.iter().map(|(_, closing)| closing.until_us)).chain(self.accepts_us);
         let due = dues.chain(self.recorders.audit.as_ref().and_then(|audit| audit.wake_us())).min()?;
         Some(due.saturating_sub(self.gate.now_us()).max(PATIENCE_US))
@@ -439,4 +475,11 @@ impl EventLoop {
         view.connections.clear();
         view.connections.extend(self.connections.values().map(Connection::view));
     }
+}
+
+/// How many connections the CPU type has: communication, in system status list 16#0131.
+fn connections_of(cpu: &impl Station) -> Option<usize> {
+    let list = cpu.status_list(0x0131, 1).ok()?;
+    let count = list.records.first()?.get(4..6)?;
+    Some(usize::from(u16::from_be_bytes([count[0], count[1]])))
 }

@@ -2,7 +2,9 @@
 
 use std::net::SocketAddr;
 
+use crate::s7comm::guard::Function;
 use crate::s7comm::session::Requests;
+use crate::s7comm::wire::cotp::Partner;
 
 /// What a server says about itself.
 #[derive(Clone, Debug, Default)]
@@ -22,6 +24,10 @@ pub struct ConnectionView {
     pub peer: SocketAddr,
     /// When it came, in microseconds of the gate's clock.
     pub since_us: u64,
+    /// What is on the other side; `None` before it has said so.
+    pub partner: Option<Partner>,
+    /// What it asked for last.
+    pub last: Option<Function>,
     /// How long its PDUs are; `None` before the setup.
     pub pdu_bytes: Option<usize>,
     /// When bytes came last, in microseconds of the gate's clock.

@@ -6,7 +6,7 @@ use sieben_engine::machine::Registers;
 use sieben_model::block::{BlockId, BlockLanguage};
 use sieben_model::value::Value;
 
-use super::facts::Placed;
+use super::facts::{Client, Placed};
 use crate::names::shown_json;
 use crate::pace::Speed;
 use crate::refusal::Refusal;
@@ -61,8 +61,10 @@ pub struct State {
     pub forced: Vec<(String, String)>,
     /// How many bits and bytes are forced; the list may be shorter.
     pub forced_count: usize,
-    /// How many are connected.
+    /// How many are connected to the control socket.
     pub connections: usize,
+    /// Who is connected to servers.
+    pub clients: Vec<Client>,
     /// The number of the newest entry of the diagnostic buffer.
     pub newest_entry: u64,
 }
@@ -270,6 +272,13 @@ fn place_fields(object: &mut Json, place: Option<&Placed>) {
     object["line"] = json!(line.map(|(_, number)| number));
 }
 
+fn client_json(client: &Client) -> Json {
+    json!({
+        "protocol": client.protocol, "peer": client.peer, "partner": client.partner, "connected_ms": milliseconds(client.for_us),
+        "last": client.last, "pdu": client.pdu_bytes,
+    })
+}
+
 impl State {
     fn json(&self) -> Json {
         let cycle = &self.cycle;
@@ -280,7 +289,7 @@ impl State {
             "cycle_ms": { "last": milliseconds(cycle.last), "min": milliseconds(cycle.min), "max": milliseconds(cycle.max) },
             "execution_ms": { "last": milliseconds(cycle.execution_last), "max": milliseconds(cycle.execution_max) },
             "speed": self.speed.to_string(), "paused": self.paused, "forced": forced, "forced_count": self.forced_count,
-            "connections": self.connections, "newest_entry": self.newest_entry,
+            "connections": self.connections, "clients": self.clients.iter().map(client_json).collect::<Json>(), "newest_entry": self.newest_entry,
         })
     }
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use sieben_engine::{FaultPlace, Program};
 use sieben_model::address::Operand;
@@ -94,6 +94,26 @@ impl Places<'_> {
     }
 }
 
+/// A client of a server over the network, as people see it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Client {
+    /// What it speaks.
+    pub protocol: &'static str,
+    /// Its address and port.
+    pub peer: String,
+    /// What it says it is: `PG`, `OP`, `other`; `None` before it has said so.
+    pub partner: Option<&'static str>,
+    /// For how long it has been connected, in microseconds.
+    pub for_us: u64,
+    /// What it asked for last.
+    pub last: Option<&'static str>,
+    /// How long its PDUs are, once it is set up.
+    pub pdu_bytes: Option<usize>,
+}
+
+/// Tells the clients of all servers.
+pub type Clients = Box<dyn Fn() -> Vec<Client> + Send + Sync>;
+
 /// The facts of the program that runs now, for everyone who asks: an online change brings others.
 #[derive(Default)]
 pub struct CurrentFacts {
@@ -102,6 +122,8 @@ pub struct CurrentFacts {
     facts: Mutex<Arc<Facts>>,
     /// How many are connected.
     connections: AtomicUsize,
+    /// Who is connected to servers, if there are any.
+    clients: OnceLock<Clients>,
 }
 
 /// Somebody is connected as long as this is there.
@@ -140,6 +162,17 @@ impl CurrentFacts {
     pub fn connect(self: &Arc<Self>, most: usize) -> Option<Connection> {
         let one_more = |count| (count < most).then_some(count + 1);
         self.connections.fetch_update(Ordering::AcqRel, Ordering::Acquire, one_more).ok().map(|_| Connection(Arc::clone(self)))
+    }
+
+    /// From now on this tells the clients of servers; what was said first holds.
+    pub fn set_clients(&self, clients: Clients) {
+        // Whoever comes second has nothing to add.
+        let _ = self.clients.set(clients);
+    }
+
+    /// The clients of servers.
+    pub fn clients(&self) -> Vec<Client> {
+        self.clients.get().map_or_else(Vec::new, |clients| clients())
     }
 
     /// How many are connected.

@@ -13,7 +13,7 @@ use std::time::Duration;
 
 pub use answer::{Answer, line};
 use answer::{Blocks, Diagnostics, Done, Entry, Mode, PlantFaults, State, Stop, Time, Values};
-pub use facts::{Connection, CurrentFacts, Facts};
+pub use facts::{Client, Clients, Connection, CurrentFacts, Facts};
 use request::shortened;
 pub use request::{FaultChange, LINE_BYTES_MAX, ModeChange, Request, TimeChange, parse, too_long};
 use sieben_cpu::communication::Requester;
@@ -196,6 +196,7 @@ impl Control {
                 forced: Vec::new(),
                 forced_count: 0,
                 connections: 0,
+                clients: Vec::new(),
                 newest_entry: cpu.diagnostic_buffer().newest_number(),
             };
             let cause = cpu.stop_cause().filter(|_| cpu.mode() == OperatingMode::Stop).cloned();
@@ -203,6 +204,7 @@ impl Control {
         })?;
         state.project.clone_from(&self.facts.project);
         state.connections = self.current.connections();
+        state.clients = self.current.clients();
         state.stop = cause.map(|cause| Stop {
             event: cause.event,
             first_event: cause.first_event,

@@ -1,6 +1,6 @@
 //! What has come from one client: whole messages out of a stream of bytes.
 
-use crate::s7comm::wire::cotp::{self, ConnectRequest, Part, Tpdu};
+use crate::s7comm::wire::cotp::{self, ConnectRequest, Part, Partner, Tpdu};
 use crate::s7comm::wire::{Broken, tpkt};
 
 /// Bytes of the fragments of one message together.
@@ -27,7 +27,7 @@ pub(super) struct Input {
 #[derive(Debug, PartialEq, Eq)]
 pub(super) enum Arrived {
     /// It opens the connection.
-    Connect { source: u16, confirmed: Vec<u8>, tpdu_bytes: usize, rack_and_slot: Option<(u8, u8)> },
+    Connect { source: u16, confirmed: Vec<u8>, tpdu_bytes: usize, rack_and_slot: Option<(u8, u8)>, partner: Partner },
     /// It closes the connection.
     Disconnect { source: u16 },
     /// A message of S7.
@@ -111,5 +111,11 @@ impl Input {
 fn connect(request: &ConnectRequest<'_>) -> Arrived {
     let mut confirmed = Vec::new();
     cotp::connect_confirm(&mut confirmed, request);
-    Arrived::Connect { source: request.source, confirmed, tpdu_bytes: request.tpdu_bytes(), rack_and_slot: request.rack_and_slot() }
+    Arrived::Connect {
+        source: request.source,
+        confirmed,
+        tpdu_bytes: request.tpdu_bytes(),
+        rack_and_slot: request.rack_and_slot(),
+        partner: request.partner(),
+    }
 }

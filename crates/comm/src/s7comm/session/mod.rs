@@ -20,6 +20,7 @@ use super::answer;
 use super::guard::{Legitimation, Rules};
 use super::job::Reply;
 use super::wire::cotp;
+use super::wire::cotp::Partner;
 pub use events::{Event, What};
 use input::{Arrived, Input};
 use output::Output;
@@ -56,6 +57,7 @@ pub struct Session {
     peer: SocketAddr,
     begun_us: u64,
     stage: Stage,
+    partner: Option<Partner>,
     input: Input,
     output: Output,
     queue: Queue,
@@ -77,6 +79,7 @@ impl Session {
             peer,
             begun_us: now_us,
             stage: Stage::Begun,
+            partner: None,
             input: Input::default(),
             output: Output::default(),
             queue: Queue::default(),
@@ -97,6 +100,16 @@ impl Session {
     /// Whether it is set up.
     pub fn is_ready(&self) -> bool {
         matches!(self.stage, Stage::Ready { .. })
+    }
+
+    /// From now on these rules hold for what comes.
+    pub fn set_rules(&mut self, rules: Arc<Rules>) {
+        self.rules = rules;
+    }
+
+    /// What the other side is, once it is connected.
+    pub fn partner(&self) -> Option<Partner> {
+        self.partner
     }
 
     /// How many bytes its PDUs have, once it is set up.
@@ -252,13 +265,14 @@ impl Session {
 
     fn arrived(&mut self, arrived: Arrived, shared: &mut Shared, now_us: u64) {
         match (arrived, self.stage) {
-            (Arrived::Connect { source, confirmed, tpdu_bytes, rack_and_slot }, Stage::Begun) => {
+            (Arrived::Connect { source, confirmed, tpdu_bytes, rack_and_slot, partner }, Stage::Begun) => {
                 if self.rules.strict_slot && !self.has_slot(rack_and_slot) {
                     self.output.control(now_us, |out| cotp::disconnect_request(out, source, cotp::ADDRESS_UNKNOWN));
                     return self.end();
                 }
                 self.output.control(now_us, |out| out.extend_from_slice(&confirmed));
                 self.stage = Stage::Connected { tpdu_bytes };
+                self.partner = Some(partner);
             }
             (Arrived::Disconnect { source }, Stage::Connected { .. } | Stage::Ready { .. }) => {
                 self.output.control(now_us, |out| cotp::disconnect_confirm(out, source));

@@ -21,18 +21,27 @@ pub struct Shared {
 
 /// How often each function was asked for.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Requests([u64; Function::COUNT]);
+pub struct Requests {
+    counts: [u64; Function::COUNT],
+    last: Option<Function>,
+}
 
 impl Requests {
     /// Counts a request.
     pub fn count(&mut self, function: Function) {
-        if let Some(count) = self.0.get_mut(function as usize) {
+        if let Some(count) = self.counts.get_mut(function as usize) {
             *count = count.saturating_add(1);
         }
+        self.last = Some(function);
     }
 
     /// How often a function was asked for.
     pub fn of(&self, function: Function) -> u64 {
-        self.0.get(function as usize).copied().unwrap_or(0)
+        self.counts.get(function as usize).copied().unwrap_or(0)
+    }
+
+    /// The function that was asked for last, if any was since this was asked.
+    pub fn take_last(&mut self) -> Option<Function> {
+        self.last.take()
     }
 }

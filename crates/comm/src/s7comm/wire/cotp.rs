@@ -59,6 +59,17 @@ pub enum Part {
     Last,
 }
 
+/// What the other side of a connection is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Partner {
+    /// A programming device, PG.
+    ProgrammingDevice,
+    /// An operator panel, OP.
+    OperatorPanel,
+    /// Anything else: S7 basic communication.
+    Other,
+}
+
 /// What a connect request says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ConnectRequest<'a> {
@@ -76,6 +87,15 @@ impl ConnectRequest<'_> {
     /// Bytes of the largest TPDU, head included.
     pub fn tpdu_bytes(&self) -> usize {
         1 << self.size_code
+    }
+
+    /// What the other side is: the first byte of the TSAP that it calls.
+    pub fn partner(&self) -> Partner {
+        match self.called {
+            [1, _] => Partner::ProgrammingDevice,
+            [2, _] => Partner::OperatorPanel,
+            _ => Partner::Other,
+        }
     }
 
     /// Rack and slot of the module that is called, if the TSAP has two bytes.
