@@ -42,7 +42,7 @@ pub enum Source {
 pub const CLIENTS: &[Client] = &[
     Client { name: "python-snap7", source: Source::Python("import snap7"), package: "python-snap7", version: "3.3.0" },
     // The last wheel that brings the native library along.
-    Client { name: "snap7", source: Source::Python("import snap7; snap7.client.Client()"), package: "python-snap7", version: "1.3" },
+    Client { name: "native-snap7", source: Source::Python("import snap7; snap7.client.Client()"), package: "python-snap7", version: "1.3" },
     Client { name: "pys7", source: Source::Python("import pyS7"), package: "pyS7", version: "3.1.2" },
     Client { name: "nodes7", source: Source::Node, package: "nodes7", version: "0.3.18" },
     Client { name: "st-one-nodes7", source: Source::Node, package: "@st-one-io/nodes7", version: "1.1.2" },

@@ -34,7 +34,10 @@ fn main() {
     let mut bit = [0];
     check("read a bit by its number", client.read_area(S7_AREA_DB, 1, 81, S7_WL_BIT, &mut bit).map(|()| bit[0].to_string()), "0");
     check("read inputs", read(&mut client, S7_AREA_PE, 0, 0, 2), "0000");
-    check("write inputs", write(&mut client, S7_AREA_PE, 0, 2, &[0x12, 0x34]), "1234");
+    // Inputs are those of the next scan.
+    let written = write(&mut client, S7_AREA_PE, 0, 0, &[0x12]);
+    std::thread::sleep(std::time::Duration::from_millis(200));
+    check("write inputs", written.and_then(|_| read(&mut client, S7_AREA_PE, 0, 0, 1)), "12");
     check("write outputs", write(&mut client, S7_AREA_PA, 0, 4, &[0xA5]), "a5");
     check("write bit memory", write(&mut client, S7_AREA_MK, 0, 10, &[1, 2, 3, 4]), "01020304");
     check("write a data block", write(&mut client, S7_AREA_DB, 1, 4, &[0x10, 0xE1]), "10e1");
