@@ -29,6 +29,11 @@ impl EngineArgument {
         if self == Self::Auto { Self::Jit } else { self }
     }
 
+    /// What runs a program that is to take over within a moment: machine code comes after it.
+    pub(crate) fn at_once(self) -> Self {
+        if self == Self::Interpreter { Self::Interpreter } else { Self::Auto }
+    }
+
     /// What makes programs runnable, for a CPU that is made of a build.
     pub(crate) fn factory(self, status: StatusBits) -> impl Fn(&Program, &Layout) -> Arc<dyn Engine> {
         move |program, layout| self.load(program, layout, status)

@@ -15,6 +15,7 @@ mod fixing;
 mod folder;
 mod glob;
 mod instances;
+mod linking;
 mod output;
 mod palette;
 mod panics;

@@ -14,11 +14,12 @@ use sieben_comm::config::{Config, LISTEN};
 use sieben_comm::recording::audit::Audit;
 use sieben_comm::recording::frames::Frames;
 use sieben_comm::recording::{Recorders, Sink};
+use sieben_comm::s7comm::answer::Linker;
 use sieben_comm::s7comm::guard::Function;
 use sieben_comm::s7comm::session::Shared;
 use sieben_comm::s7comm::wire::cotp::Partner;
 use sieben_comm::server::{self, ConnectionView, Server, Setup, View};
-use sieben_cpu::ProtectionLevel;
+use sieben_cpu::{Communication, ProtectionLevel};
 use sieben_model::cpu_type::CpuType;
 use sieben_model::problems::Problem;
 use sieben_workspace::Gate;
@@ -26,8 +27,10 @@ use sieben_workspace::control::{Client, Clients};
 use sieben_workspace::project::Project;
 use sieben_workspace::settings::servers::address;
 
+use crate::engines::EngineArgument;
 use crate::failure::Failure;
 use crate::folder::{self, Folder};
+use crate::linking::Preparing;
 
 /// First port that needs no right of its own.
 const FREE_PORTS: u16 = 1024;
@@ -120,6 +123,7 @@ pub(crate) struct Prepared {
     listener: TcpListener,
     config: Config,
     recorders: Recorders,
+    names: Communication,
 }
 
 impl Prepared {
@@ -137,18 +141,27 @@ impl Prepared {
             Some(file) => Some(Frames::start(opened(file, Content::Replaced)?).map_err(no_thread)?),
             None => None,
         };
-        Ok(Self { listener, config, recorders: Recorders { audit, frames } })
+        Ok(Self { listener, config, recorders: Recorders { audit, frames }, names: names(project) })
     }
 
     /// Begins to serve.
-    pub(crate) fn start(self, cpu: &'static CpuType, gate: &Arc<Gate>) -> Result<Servers, Failure> {
-        let Self { listener, config, recorders } = self;
+    pub(crate) fn start(self, cpu: &'static CpuType, gate: &Arc<Gate>, engine: EngineArgument) -> Result<Servers, Failure> {
+        let Self { listener, config, recorders, names } = self;
         let (protection, has_password, listen) = (config.protection, config.password.is_some(), config.listen);
-        let setup = Setup { config, shared: Shared::default(), recorders, clock: Box::new(wall_us) };
+        let mut shared = Shared::default();
+        // Without the thread data blocks get other values and nothing else.
+        shared.around.linker = Preparing::start(engine).ok().map(|preparing| Arc::new(preparing) as Arc<dyn Linker>);
+        let setup = Setup { config, shared, names, recorders, clock: Box::new(wall_us) };
         let s7 = Server::start(listener, cpu, Arc::clone(gate), setup).map_err(|error| not_listening(listen, &error))?;
         let is_exposed = !s7.address().ip().to_canonical().is_loopback();
         Ok(Servers { s7, protection, has_password, is_exposed })
     }
+}
+
+/// What the CPU is called for those who ask: as the project is.
+fn names(project: &Project) -> Communication {
+    let name = project.settings.name.clone().unwrap_or_else(|| "Sieben".to_owned());
+    Communication { system_name: name.clone(), plant_name: name, ..Communication::default() }
 }
 
 impl Servers {

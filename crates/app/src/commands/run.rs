@@ -192,7 +192,7 @@ pub(crate) fn run_as(verb: Verb, mut arguments: RunArguments) -> Result<Exit, Fa
     {
         output::message(why);
     }
-    let mut servers = prepared.map(|prepared| prepared.start(build.cpu, &gate)).transpose()?;
+    let mut servers = prepared.map(|prepared| prepared.start(build.cpu, &gate, arguments.engine)).transpose()?;
     if let Some(servers) = &servers {
         facts.set_clients(servers.clients(&gate));
         match arguments.json {
@@ -309,6 +309,10 @@ impl Surroundings for Around<'_> {
             if watch.changes != changes {
                 self.facts.replace(Facts::of(self.build, plant.cpu.program()));
             }
+        }
+        // A server may have linked or deleted data blocks.
+        if !Arc::ptr_eq(plant.cpu.program(), &self.facts.facts().program) {
+            self.facts.replace(Facts::of(self.build, plant.cpu.program()));
         }
     }
 

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, VecDeque};
 use std::io::{self, ErrorKind};
-use std::net::{Shutdown, SocketAddr, TcpListener, TcpStream};
+use std::net::{IpAddr, Ipv4Addr, Shutdown, SocketAddr, TcpListener, TcpStream};
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
@@ -50,6 +50,7 @@ pub(super) struct EventLoop {
     address: SocketAddr,
     gate: Arc<Gate>,
     config: Config,
+    names: Communication,
     /// The rules for all connections.
     rules: Arc<Rules>,
     /// Those that hold while nothing can be noted that has to be.
@@ -70,7 +71,7 @@ pub(super) struct EventLoop {
     /// Until when nothing is accepted.
     accepts_us: Option<u64>,
     /// What the CPU was told of the connections.
-    told: Option<Communication>,
+    told: Option<[u16; 3]>,
     /// The connection whose job comes first in the next entry of the gate.
     first: u64,
     /// The last scan that has been seen.
@@ -87,7 +88,8 @@ impl EventLoop {
         setup: Setup,
         common: Arc<Common>,
     ) -> io::Result<Self> {
-        let Setup { config, shared, recorders, clock } = setup;
+        let Setup { config, shared, mut names, recorders, clock } = setup;
+        names.address = address_of(&listener);
         let poll = Poll::new()?;
         let rules = config.rules(cpu);
         let of_cpu = if config.strict { gate.enter(|plant| connections_of(&plant.cpu)).ok().flatten() } else { None };
@@ -104,6 +106,7 @@ impl EventLoop {
             is_unnoted: false,
             connections_max: of_cpu.map_or(config.connections_max, |most| most.min(config.connections_max)),
             config,
+            names,
             shared,
             recorders,
             clock,
@@ -282,21 +285,22 @@ impl EventLoop {
 
     /// Enters the gate if a job waits there, or the CPU has to be told of connections; what a portion does not do waits for the next one.
     fn serve(&mut self) {
-        let communication = self.communication();
-        let is_news = self.told.as_ref() != Some(&communication);
+        let partners = self.partners();
+        let is_news = self.told != Some(partners);
         let mut waiting: Vec<u64> = self.connections.values().filter(|one| one.session.wants_in()).map(|one| one.number).collect();
         if waiting.is_empty() && !is_news {
             return;
         }
         let first = waiting.partition_point(|&number| number < self.first);
         waiting.rotate_left(first);
+        let news = is_news.then(|| self.communication(partners));
         let Self { gate, connections, shared, told, scan, .. } = self;
         let mut done = 0;
         let entered = gate.enter(|plant| {
             *scan = plant.scans;
-            if is_news {
-                plant.cpu.set_communication(communication.clone());
-                *told = Some(communication);
+            if let Some(communication) = news {
+                plant.cpu.set_communication(communication);
+                *told = Some(partners);
             }
             let now_us = gate.now_us();
             let end_us = now_us.saturating_add(PORTION_US);
@@ -328,19 +332,18 @@ impl EventLoop {
         }
     }
 
-    /// What the CPU is told of the connections.
-    fn communication(&self) -> Communication {
+    /// How many connections there are of programming devices, of operator panels, and of others.
+    fn partners(&self) -> [u16; 3] {
         let count = |partner| {
             let of_partner = self.connections.values().filter(|one| one.session.partner() == Some(partner)).count();
             u16::try_from(of_partner).unwrap_or(u16::MAX)
         };
-        Communication {
-            programming_devices: count(Partner::ProgrammingDevice),
-            operator_panels: count(Partner::OperatorPanel),
-            others: count(Partner::Other),
-            protection: self.config.protection,
-            ..Communication::default()
-        }
+        [Partner::ProgrammingDevice, Partner::OperatorPanel, Partner::Other].map(count)
+    }
+
+    /// What the CPU is told of the connections and of this server.
+    fn communication(&self, [programming_devices, operator_panels, others]: [u16; 3]) -> Communication {
+        Communication { programming_devices, operator_panels, others, protection: self.config.protection, ..self.names.clone() }
     }
 
     /// Notes what the sessions have done.
@@ -482,4 +485,12 @@ fn connections_of(cpu: &impl Station) -> Option<usize> {
     let list = cpu.status_list(0x0131, 1).ok()?;
     let count = list.records.first()?.get(4..6)?;
     Some(usize::from(u16::from_be_bytes([count[0], count[1]])))
+}
+
+/// The address that a server listens at, if it is one alone, of IPv4.
+fn address_of(listener: &TcpListener) -> Option<Ipv4Addr> {
+    match listener.local_addr().ok()?.ip().to_canonical() {
+        IpAddr::V4(address) if !address.is_unspecified() => Some(address),
+        IpAddr::V4(_) | IpAddr::V6(_) => None,
+    }
 }

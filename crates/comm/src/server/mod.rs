@@ -13,6 +13,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::JoinHandle;
 
 use rustix::event::EventfdFlags;
+use sieben_cpu::Communication;
 use sieben_model::cpu_type::CpuType;
 use sieben_workspace::Gate;
 
@@ -31,6 +32,8 @@ pub struct Setup {
     pub config: Config,
     /// What all its sessions share.
     pub shared: Shared,
+    /// What the CPU is called for those who ask it.
+    pub names: Communication,
     /// Where what happens is noted.
     pub recorders: Recorders,
     /// The time, for what is recorded.
