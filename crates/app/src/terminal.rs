@@ -6,12 +6,12 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use ratatui::DefaultTerminal;
-use ratatui::crossterm::event::{self, Event};
+use ratatui::crossterm::event::{self, Event, KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 use sieben_model::problems::Problem;
 
 use crate::failure::Failure;
 
-/// Whether someone sits at a terminal that can be drawn on.
+/// Whether input and output are a terminal that can be drawn on.
 pub(crate) fn has_screen() -> bool {
     let capable = std::env::var_os("TERM").is_none_or(|term| term != "dumb");
     io::stdout().is_terminal() && io::stdin().is_terminal() && capable
@@ -22,24 +22,52 @@ pub(crate) fn shows_results() -> bool {
     io::stdout().is_terminal()
 }
 
-/// Becomes true when someone presses Ctrl-C.
+/// Becomes true when Ctrl-C is pressed.
 pub(crate) fn interrupted() -> Arc<AtomicBool> {
     let interrupted = Arc::new(AtomicBool::new(false));
     let flag = Arc::clone(&interrupted);
-    // Without a handler Ctrl-C still ends the program, only less tidily.
-    let _ = ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed));
+    on_interrupt(move || flag.store(true, Ordering::Relaxed));
     interrupted
+}
+
+/// Does something when Ctrl-C is pressed.
+pub(crate) fn on_interrupt(act: impl FnMut() + Send + 'static) {
+    // Without a handler Ctrl-C still ends the program, only less tidily.
+    let _ = ctrlc::set_handler(act);
 }
 
 /// What came from a terminal.
 #[derive(Debug)]
 pub(crate) enum Input {
-    /// A key, a new size.
-    Event(Event),
-    /// Nothing within the time.
+    /// A key was pressed.
+    Key(Key),
+    /// The terminal has a new size.
+    Resized,
+    /// Nothing within the time, or nothing that means anything to a screen.
     Nothing,
     /// The terminal itself has gone: its window was closed, the connection broke.
     Gone,
+}
+
+/// A key that was pressed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Key {
+    /// Ctrl-C or Ctrl-D, which leave every screen.
+    Leave,
+    /// A key without Ctrl.
+    Plain(KeyCode),
+}
+
+impl Key {
+    /// The key of an event; `None` for one that is released, and for Ctrl with any other key.
+    fn of(event: KeyEvent) -> Option<Self> {
+        match (event.kind, event.code) {
+            (KeyEventKind::Release, _) => None,
+            (_, KeyCode::Char('c' | 'd')) if event.modifiers.contains(KeyModifiers::CONTROL) => Some(Self::Leave),
+            _ if event.modifiers.contains(KeyModifiers::CONTROL) => None,
+            (_, code) => Some(Self::Plain(code)),
+        }
+    }
 }
 
 /// Waits for the next thing from the terminal, so long at most.
@@ -60,7 +88,11 @@ pub(crate) fn input(wait: Duration) -> io::Result<Input> {
             return Ok(Input::Nothing);
         }
     }
-    event::read().map(Input::Event)
+    Ok(match event::read()? {
+        Event::Key(key) => Key::of(key).map_or(Input::Nothing, Input::Key),
+        Event::Resize(..) => Input::Resized,
+        _ => Input::Nothing,
+    })
 }
 
 /// Gives the terminal back as it was. One that has gone takes nothing back, not even the complaint about that, which would panic.
@@ -92,4 +124,24 @@ fn has_gone(_wait: Duration) -> bool {
 /// A terminal that does not do what it is asked for.
 pub(crate) fn broken(error: &io::Error) -> Failure {
     Failure::usage(Problem::P6013, format!("the terminal does not work: {error}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_key_counts_once_and_control_only_leaves() {
+        let key = |code, modifiers, kind| Key::of(KeyEvent::new_with_kind(code, modifiers, kind));
+        let (plain, control) = (KeyModifiers::NONE, KeyModifiers::CONTROL);
+        assert_eq!(key(KeyCode::Char('s'), plain, KeyEventKind::Press), Some(Key::Plain(KeyCode::Char('s'))));
+        assert_eq!(key(KeyCode::Char('S'), KeyModifiers::SHIFT, KeyEventKind::Repeat), Some(Key::Plain(KeyCode::Char('S'))));
+        assert_eq!(key(KeyCode::Char('s'), plain, KeyEventKind::Release), None);
+        for letter in ['c', 'd'] {
+            assert_eq!(key(KeyCode::Char(letter), control, KeyEventKind::Press), Some(Key::Leave));
+            assert_eq!(key(KeyCode::Char(letter), control, KeyEventKind::Release), None);
+        }
+        assert_eq!(key(KeyCode::Char('s'), control, KeyEventKind::Press), None);
+        assert_eq!(key(KeyCode::Left, control, KeyEventKind::Press), None);
+    }
 }

@@ -496,6 +496,83 @@ fn an_online_change_gives_names_their_new_meaning() {
 }
 
 #[test]
+fn the_demo_is_looked_at_stopped_and_stepped_from_outside() {
+    let folder = Folder::with(&[("demo/sieben.toml", PROJECT), ("demo/main.awl", PROGRAM)]);
+    let place = runtime(&folder).join("sieben");
+    let mut run = Running::in_folder(&folder, &["demo", "--speed", "20x"], &place);
+    let mut client = run.client();
+    let state = |client: &mut Client| client.ask(json!({ "verb": "state" }));
+    let time = |client: &mut Client, fields: Value| {
+        let mut request = json!({ "verb": "time" });
+        fields.as_object().into_iter().flatten().for_each(|(key, value)| request[key] = value.clone());
+        client.ask(request)
+    };
+    assert_eq!(state(&mut client)["project"], "demo");
+    until("the story opens the valve", || (client.value("VALVE") == 1).then_some(()));
+    assert_eq!(client.value("Q 0.0"), 1);
+    let status = client.ask(json!({ "verb": "status", "block": "OB1" }));
+    assert_eq!((&status["same"], status["statements"].as_array().map(Vec::len)), (&json!(true), Some(16)), "{status}");
+
+    assert_eq!(time(&mut client, json!({ "time": "pause" }))["paused"], true);
+    let before = time(&mut client, json!({ "time": "step" }));
+    let after = time(&mut client, json!({ "time": "step", "scans": 7 }));
+    let number = |answer: &Value, key: &str| answer[key].as_f64().unwrap_or_else(|| panic!("{answer}"));
+    assert_eq!(number(&after, "scans"), number(&before, "scans") + 7.0);
+    assert_eq!(number(&after, "time_ms"), number(&before, "time_ms") + 70.0, "each scan is one cycle");
+    client.ask(json!({ "verb": "force", "values": { "VALVE": 0 } }));
+    time(&mut client, json!({ "time": "step" }));
+    assert_eq!((client.value("VALVE"), &state(&mut client)["forced"][0]["name"]), (json!(0), &json!("Q 0.0")));
+    client.ask(json!({ "verb": "unforce_all" }));
+
+    assert_eq!(time(&mut client, json!({ "time": "speed", "speed": "10x" }))["speed"], "10x");
+    assert_eq!(time(&mut client, json!({ "time": "go" }))["paused"], false);
+    assert_eq!(client.ask(json!({ "verb": "mode", "mode": "stop" }))["mode"], "STOP");
+    let stopped = state(&mut client);
+    until("the plant lives on", || (number(&state(&mut client), "time_ms") > number(&stopped, "time_ms") + 500.0).then_some(()));
+    assert_eq!(state(&mut client)["scans"], stopped["scans"]);
+    assert_eq!(client.ask(json!({ "verb": "mode", "mode": "mres" }))["mode"], "STOP");
+    assert_eq!(client.ask(json!({ "verb": "mode", "mode": "run" }))["mode"], "RUN");
+    until("it scans again", || (number(&state(&mut client), "scans") > number(&stopped, "scans")).then_some(()));
+
+    // Another demo does without the socket, and `top` finds the first one, unless a program of that name runs here.
+    let (code, text, messages) = finished(&folder, &["demo", "--speed", "max", "--for", "4s"]);
+    assert!(code == Some(0) && text.contains("400 scans in 4.00 s"), "{text}");
+    assert_eq!(messages.matches("Another run of this program answers").count(), 1, "{messages}");
+    let project = |arguments: &[&str]| {
+        let (code, text, messages) = finished(&folder, arguments);
+        assert_eq!((code, messages.as_str()), (Some(0), ""));
+        serde_json::from_str::<Value>(&text).expect("JSON")
+    };
+    let look = project(&["top", "demo", "--json", "--show", "LITRES"]);
+    assert!(look["project"] == "demo" && look["values"]["LITRES"].is_number(), "{look}");
+    let (code, _, messages) = finished(&folder, &["top"]);
+    assert!(code == Some(2) && messages.contains("The demo runs: `sieben top demo`"), "{messages}");
+    let mut other = Running::in_folder(&folder, &["run", "demo"], &folder.path().join("demo/.sieben"));
+    assert_eq!(project(&["top", "demo", "--json"])["project"], "pump");
+    assert_eq!(other.stop().0, Some(0));
+
+    assert_eq!(run.stop().0, Some(0));
+    assert_eq!(sockets(&place), Vec::<PathBuf>::new());
+    let (code, _, messages) = finished(&folder, &["top", "demo"]);
+    assert!(code == Some(2) && messages.contains("no demo answers") && messages.contains("`sieben demo`"), "{messages}");
+}
+
+#[test]
+fn the_socket_of_a_killed_demo_is_replaced() {
+    let folder = Folder::new();
+    let place = runtime(&folder).join("sieben");
+    let mut killed = Running::in_folder(&folder, &["demo"], &place);
+    killed.child.kill().expect("it is there");
+    killed.child.wait().expect("it ends");
+    assert!(killed.socket.exists());
+    let mut run = Running::in_folder(&folder, &["demo"], &place);
+    assert_eq!((&run.socket, run.client().value("STOP")), (&killed.socket, json!(1)));
+    let (code, messages) = run.stop();
+    assert_eq!((code, messages.as_str()), (Some(0), ""));
+    assert!(!run.socket.exists());
+}
+
+#[test]
 fn top_looks_once_where_no_terminal_is() {
     let folder = project();
     let (code, text, messages) = finished(&folder, &["top"]);

@@ -1,7 +1,7 @@
 //! The gate: threads that come to a running CPU between two scans, and the status of a scan.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
 use sieben_cpu::{Cpu, Interrupt, IoModule, OperatingMode, Rack, Requester, Restart, Settings, Station, TimeSource};
@@ -12,6 +12,7 @@ use sieben_model::item::Item;
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::value::{Content, Value};
 use sieben_workspace::gate::{Closed, ITEMS_MAX, ListError};
+use sieben_workspace::pace::Missed;
 use sieben_workspace::status::Desk;
 use sieben_workspace::{Driver, End, Gate, Pace, Plant, Speed, Surroundings};
 
@@ -274,6 +275,100 @@ END_ORGANIZATION_BLOCK
     });
     assert_eq!((end, plant.mode), (End::Stopped, OperatingMode::Stop));
     assert!(starts >= 1, "{starts}");
+}
+
+/// Keeps when the scans were, and ends the run after so many.
+#[derive(Default)]
+struct Times {
+    at_us: Vec<u64>,
+    before: usize,
+    most: usize,
+}
+
+impl Surroundings for Times {
+    fn before_scan(&mut self, _: &mut Plant) {
+        self.before += 1;
+        assert_eq!(self.before, self.at_us.len() + 1, "one before, one after each scan");
+    }
+    fn after_scan(&mut self, plant: &mut Plant) {
+        self.at_us.push(plant.cpu.time_us());
+    }
+    fn is_ended(&self) -> bool {
+        self.at_us.len() >= self.most
+    }
+}
+
+#[test]
+fn every_cycle_is_scanned_at_its_own_time_however_late_the_computer_is() {
+    // Each look at the clock of the computer is later than the one before, sometimes by far more than anything that is made up for.
+    let looks = AtomicU64::new(0);
+    let clock = move || {
+        let look = looks.fetch_add(1, Ordering::Relaxed);
+        look * 700 + look / 10 * 2_000_000
+    };
+    let mut pace = Pace::new(Speed::Factor(10.0), 10_000, u64::MAX, 0);
+    pace.missed = Missed::MadeUp;
+    let mut plant = Plant::new(cpu(COUNTS, "315-2PN/DP", real_time()), pace);
+    plant.stay_in_stop();
+    let gate = Gate::new(plant, Box::new(clock));
+    let (desk, mut times) = (Desk::default(), Times { most: 300, ..Times::default() });
+    let check = |times: &Times| {
+        let expected: Vec<u64> = (0..times.most as u64).map(|cycle| cycle * 10_000).collect();
+        assert_eq!(times.at_us, expected);
+    };
+    assert_eq!(Driver::new(&gate, &desk, &mut times).run(Restart::Warm), End::Ended);
+    check(&times);
+    let change = |work: &dyn Fn(&mut Plant)| gate.enter(work).expect("the gate is open");
+    // In steps, in virtual time, as fast as the computer, and in STOP, it is the same row of cycles.
+    change(&|plant| plant.pace.step(50, gate.now_us()));
+    times.most += 50;
+    assert_eq!(Driver::new(&gate, &desk, &mut times).go_on(), End::Ended);
+    change(&|plant| {
+        plant.pace.go(gate.now_us());
+        plant.pace.set_speed(Speed::Max, gate.now_us());
+    });
+    times.most += 200;
+    assert_eq!(Driver::new(&gate, &desk, &mut times).go_on(), End::Ended);
+    change(&|plant| plant.pace.set_speed(Speed::Factor(1.0), gate.now_us()));
+    times.most += 50;
+    assert_eq!(Driver::new(&gate, &desk, &mut times).go_on(), End::Ended);
+    check(&times);
+    change(&|plant| Station::stop(&mut plant.cpu));
+    times.most += 50;
+    assert_eq!(Driver::new(&gate, &desk, &mut times).go_on(), End::Ended);
+    check(&times);
+    assert_eq!(gate.enter(|plant| plant.scans), Ok(600), "a CPU in STOP lets its plants live on and does not scan");
+    change(&|plant| plant.ask_for_start(Restart::Warm, Requester::default()));
+    times.most += 10;
+    assert_eq!(Driver::new(&gate, &desk, &mut times).go_on(), End::Ended);
+    check(&times);
+    assert_eq!(gate.enter(|plant| plant.scans), Ok(610), "a start does not shift the row");
+    // The time of a run ends after the last cycle that begins in it.
+    change(&|plant| plant.pace.end_us = 6_700_000);
+    times.most += 50;
+    assert_eq!(Driver::new(&gate, &desk, &mut times).go_on(), End::Over);
+    assert_eq!(times.at_us.last(), Some(&6_690_000));
+}
+
+#[test]
+fn of_the_scans_that_are_asked_for_the_last_one_is_recorded() {
+    let mut pace = Pace::new(Speed::Factor(1.0), 1_000, u64::MAX, 0);
+    let gate = {
+        pace.pause(0);
+        Gate::new(Plant::new(cpu(COUNTS, "315-2PN/DP", real_time()), pace), Box::new(|| 7))
+    };
+    let (desk, mut times) = (Desk::default(), Times::default());
+    assert_eq!(Driver::new(&gate, &desk, &mut times).run(Restart::Warm), End::Ended);
+    let _look = desk.look([BlockId::ob(1)]);
+    for (steps, last) in [(1, 1), (1, 2), (3, 5)] {
+        gate.enter(|plant| plant.pace.step(steps, 7)).expect("the gate is open");
+        times.most += steps as usize;
+        assert_eq!(Driver::new(&gate, &desk, &mut times).go_on(), End::Ended);
+        let number = desk.number();
+        desk.replay(|| desk.number() > number);
+        let (_, sample) = desk.wait_for_sample(number, Duration::ZERO).expect("a sample");
+        assert_eq!(sample.map(|sample| (sample.scan, sample.same)), Ok((last, true)), "no time passes between them");
+    }
 }
 
 #[test]

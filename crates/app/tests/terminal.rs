@@ -4,7 +4,7 @@
 mod command;
 
 use std::fs::File;
-use std::io::Read;
+use std::io::{BufRead, BufReader, Read, Write};
 use std::os::fd::OwnedFd;
 use std::os::unix::net::UnixStream;
 use std::process::{Child, Command, ExitStatus, Stdio};
@@ -36,7 +36,7 @@ fn terminal() -> (OwnedFd, OwnedFd) {
 fn start(folder: &Folder, arguments: &[&str], inside: OwnedFd) -> Child {
     let stdio = || Stdio::from(File::from(inside.try_clone().expect("one more handle")));
     let mut command = Command::new(env!("CARGO_BIN_EXE_sieben"));
-    command.args(arguments).current_dir(folder.path()).env("TERM", "xterm-256color");
+    command.args(arguments).current_dir(folder.path()).env("TERM", "xterm-256color").env("XDG_RUNTIME_DIR", folder.path());
     command.stdin(stdio()).stdout(stdio()).stderr(stdio()).spawn().expect("sieben runs")
 }
 
@@ -112,36 +112,134 @@ fn top_ends_with_its_terminal() {
     assert_eq!(end(run).code(), Some(0), "the run goes on without it");
 }
 
+/// A window in which a program draws, and all that it has drawn.
+struct Window {
+    file: File,
+    drawn: mpsc::Receiver<String>,
+    seen: String,
+}
+
+impl Window {
+    fn of(window: OwnedFd) -> Self {
+        let mut read = File::from(window.try_clone().expect("one more handle"));
+        let (sender, drawn) = mpsc::channel();
+        std::thread::spawn(move || {
+            let mut chunk = [0; 4096];
+            // A terminal that no program uses any more cannot be read.
+            while let Ok(count @ 1..) = read.read(&mut chunk) {
+                if sender.send(String::from_utf8_lossy(&chunk[..count]).into_owned()).is_err() {
+                    return;
+                }
+            }
+        });
+        Self { file: File::from(window), drawn, seen: String::new() }
+    }
+
+    /// Waits until this is drawn after all that was waited for. One word: spaces that are there already are not drawn.
+    fn shows(&mut self, word: &str) {
+        let until = Instant::now() + DEADLINE;
+        let mut from = self.seen.len();
+        while !self.seen[from..].contains(word) {
+            assert!(Instant::now() < until, "{word}: {:?}", self.seen);
+            self.seen.push_str(&self.drawn.recv_timeout(DEADLINE).unwrap_or_else(|_| panic!("{word}: {:?}", self.seen)));
+            // What is drawn may come in two parts.
+            from = from.min(self.seen.len());
+        }
+    }
+
+    fn press(&mut self, keys: &str) {
+        self.file.write_all(keys.as_bytes()).expect("the terminal takes keys");
+    }
+
+    /// What was drawn, and what was printed after the terminal was given back.
+    fn left(mut self) -> (String, String) {
+        while let Ok(more) = self.drawn.recv_timeout(DEADLINE) {
+            self.seen.push_str(&more);
+        }
+        let (screen, after) = self.seen.rsplit_once("\u{1b}[?1049l").unwrap_or_else(|| panic!("the other screen is left: {:?}", self.seen));
+        (screen.to_owned(), after.to_owned())
+    }
+}
+
 #[test]
 fn top_ends_with_the_run_and_gives_the_terminal_back() {
     let folder = folder();
     let run = running(&folder);
     let (window, inside) = terminal();
     let top = start(&folder, &["top"], inside);
-    let mut window = File::from(window);
-    let (sender, receiver) = mpsc::channel();
-    std::thread::spawn(move || {
-        let mut chunk = [0; 4096];
-        // A terminal that nobody uses any more cannot be read.
-        while let Ok(count @ 1..) = window.read(&mut chunk) {
-            if sender.send(String::from_utf8_lossy(&chunk[..count]).into_owned()).is_err() {
-                return;
-            }
-        }
-    });
-    let mut seen = String::new();
-    let until = Instant::now() + DEADLINE;
-    // One word: spaces that are there already are not drawn.
-    while !seen.contains("Diagnostic") {
-        assert!(Instant::now() < until, "{seen:?}");
-        seen.push_str(&receiver.recv_timeout(DEADLINE).expect("it draws"));
-    }
+    let mut window = Window::of(window);
+    window.shows("Diagnostic");
     interrupt(&run);
     assert_eq!(end(run).code(), Some(0));
     assert_eq!(end(top).code(), Some(0));
-    while let Ok(more) = receiver.recv_timeout(DEADLINE) {
-        seen.push_str(&more);
+    let (screen, after) = window.left();
+    assert!(screen.contains("lamp") && after.contains("The run is over."), "{screen:?} {after:?}");
+}
+
+/// Asks the demo whose socket lies in a folder.
+fn ask(folder: &Folder, request: &str) -> String {
+    let until = Instant::now() + DEADLINE;
+    loop {
+        let sockets = std::fs::read_dir(folder.path().join("sieben")).into_iter().flatten().flatten();
+        if let Some(mut stream) = sockets.map(|entry| entry.path()).find_map(|path| UnixStream::connect(path).ok()) {
+            writeln!(stream, "{request}").expect("the demo reads");
+            let mut answer = String::new();
+            BufReader::new(stream).read_line(&mut answer).expect("the demo answers");
+            return answer;
+        }
+        assert!(Instant::now() < until, "the demo answers");
+        std::thread::sleep(Duration::from_millis(5));
     }
-    let (screen, after) = seen.rsplit_once("\u{1b}[?1049l").expect("the other screen is left");
-    assert!(screen.contains("lamp") && after.contains("The run is over."), "{seen:?}");
+}
+
+#[test]
+fn the_demo_shows_what_its_keys_and_others_do() {
+    let folder = folder();
+    let (window, inside) = terminal();
+    let demo = start(&folder, &["demo"], inside);
+    let mut window = Window::of(window);
+    window.shows("DISPLAY");
+    window.press("s");
+    window.shows("dosing …");
+    ask(&folder, r#"{"verb":"mode","mode":"stop"}"#);
+    window.shows("STOP:");
+    window.press("m");
+    window.press("p");
+    window.shows("paused");
+    let scans = |answer: &str| answer.split("\"scans\":").nth(1).and_then(|rest| rest.split(',').next()?.parse::<u64>().ok());
+    let state = |folder: &Folder| ask(folder, r#"{"verb":"state"}"#);
+    let before = state(&folder);
+    assert!(before.contains(r#""paused":true"#) && before.contains(r#""mode":"RUN""#), "{before}");
+    window.press("nn");
+    let until = Instant::now() + DEADLINE;
+    while scans(&state(&folder)) != scans(&before).map(|scans| scans + 2) {
+        assert!(Instant::now() < until, "two scans more: {before} {}", state(&folder));
+    }
+    ask(&folder, r#"{"verb":"time","time":"speed","speed":"50x"}"#);
+    ask(&folder, r#"{"verb":"time","time":"go"}"#);
+    window.shows("50×");
+    // A second one has no socket: it says so where there is room, and draws.
+    let (second_window, inside) = terminal();
+    let second = start(&folder, &["demo", "--for", "1s"], inside);
+    let mut second_window = Window::of(second_window);
+    second_window.shows("another");
+    assert_eq!(end(second).code(), Some(0));
+    let (_, after) = second_window.left();
+    assert!(after.contains("100 scans in 1.00 s of the plant"), "{after:?}");
+    window.press("q");
+    assert_eq!(end(demo).code(), Some(0));
+    let (_, after) = window.left();
+    assert!(after.contains("of the plant,") && !after.contains("our mistake"), "{after:?}");
+}
+
+#[test]
+fn a_signal_ends_the_demo_and_gives_the_terminal_back() {
+    let folder = folder();
+    let (window, inside) = terminal();
+    let demo = start(&folder, &["demo"], inside);
+    let mut window = Window::of(window);
+    window.shows("DISPLAY");
+    interrupt(&demo);
+    assert_eq!(end(demo).code(), Some(0));
+    assert!(window.left().1.contains("of the plant,"));
 }

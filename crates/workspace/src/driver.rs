@@ -3,7 +3,7 @@
 use sieben_cpu::{Cpu, OperatingMode, Restart, TimeSource};
 
 use crate::gate::{Gate, PORTION_US, Plant};
-use crate::pace::Speed;
+use crate::pace::{Missed, Pace, Speed};
 use crate::status::Desk;
 
 /// Scans in virtual time that are run without opening the gate.
@@ -12,6 +12,8 @@ const SCANS_AT_ONCE: u64 = 64;
 const COMMUNICATION_LOAD: u64 = 20;
 /// Longest pause without a look around, in microseconds.
 const PAUSE_US_MAX: u64 = 1_000_000;
+/// Shortest pause where every cycle is made up for, in microseconds: of shorter cycles several are scanned after each other.
+const PAUSE_US_MIN: u64 = 1_000;
 
 /// What stands around a run.
 pub trait Surroundings {
@@ -23,7 +25,15 @@ pub trait Surroundings {
     fn at_point(&mut self, plant: &mut Plant) {
         let _ = plant;
     }
-    /// Whether somebody has ended the run.
+    /// Right before each scan, also of a CPU in STOP, which only lets its plants live on.
+    fn before_scan(&mut self, plant: &mut Plant) {
+        let _ = plant;
+    }
+    /// Right after each of them.
+    fn after_scan(&mut self, plant: &mut Plant) {
+        let _ = plant;
+    }
+    /// Whether the run has been ended from outside.
     fn is_ended(&self) -> bool;
 }
 
@@ -34,7 +44,7 @@ pub enum End {
     Stopped,
     /// Its time is over.
     Over,
-    /// Somebody has ended it.
+    /// It was ended from outside.
     Ended,
 }
 
@@ -44,7 +54,7 @@ enum Next {
     End(End),
     /// It waits so many microseconds of the computer's time.
     Rest(u64),
-    /// It lets in who wants in, if anybody does.
+    /// It opens the gate for the threads that want in.
     Open,
     /// It goes on at once after what took so many microseconds.
     Again(u64),
@@ -55,8 +65,6 @@ pub struct Driver<'g> {
     gate: &'g Gate,
     desk: &'g Desk,
     surroundings: &'g mut dyn Surroundings,
-    /// When the next scan begins, in the time of the CPU.
-    due_us: u64,
     /// How long it has scanned since the gate was open last, in microseconds.
     worked_us: u64,
 }
@@ -64,7 +72,7 @@ pub struct Driver<'g> {
 impl<'g> Driver<'g> {
     /// A driver for the plant of a gate. `desk` is where the status of scans is asked for.
     pub fn new(gate: &'g Gate, desk: &'g Desk, surroundings: &'g mut dyn Surroundings) -> Self {
-        Self { gate, desk, surroundings, due_us: 0, worked_us: 0 }
+        Self { gate, desk, surroundings, worked_us: 0 }
     }
 
     /// Starts the CPU and runs it to the end. The gate stays open.
@@ -72,10 +80,18 @@ impl<'g> Driver<'g> {
         let gate = self.gate;
         gate.scan(|plant| {
             self.start(plant, restart);
-            self.due_us = plant.pace.time_us(gate.now_us());
+            if plant.pace.missed == Missed::LeftOut {
+                plant.pace.due_us = plant.pace.time_us(gate.now_us());
+            }
         });
+        self.go_on()
+    }
+
+    /// Runs a CPU that was started before to the end.
+    pub fn go_on(&mut self) -> End {
+        let gate = self.gate;
         loop {
-            match gate.scan(|plant| self.turn(plant)) {
+            match gate.scan(|plant| self.iteration(plant)) {
                 Next::End(end) => return end,
                 Next::Rest(us) => {
                     self.worked_us = 0;
@@ -100,25 +116,34 @@ impl<'g> Driver<'g> {
     }
 
     fn start(&mut self, plant: &mut Plant, restart: Restart) {
-        let (gate, pace) = (self.gate, plant.pace.clone());
-        plant.cpu.restart_with(restart, &mut || pace.time_us(gate.now_us()), None);
+        let mut clock = self.clock(&plant.pace);
+        plant.cpu.restart_with(restart, &mut clock, None);
         self.surroundings.keep(&mut plant.cpu);
     }
 
-    fn turn(&mut self, plant: &mut Plant) -> Next {
+    /// The clock of a startup: where every cycle is made up for, it shows the time of the next one.
+    fn clock(&self, pace: &Pace) -> impl FnMut() -> u64 + use<'g> {
+        let (gate, pace) = (self.gate, pace.clone());
+        move || match pace.missed {
+            Missed::LeftOut => pace.time_us(gate.now_us()),
+            Missed::MadeUp => pace.due_us,
+        }
+    }
+
+    fn iteration(&mut self, plant: &mut Plant) -> Next {
         if let Some((restart, by)) = plant.start.take() {
-            let (gate, pace) = (self.gate, plant.pace.clone());
+            let mut clock = self.clock(&plant.pace);
             plant.waits_in_stop = false;
-            // Whoever asks for the start of a CPU that runs already has what was asked for.
-            let _ = plant.cpu.start_with(restart, by, &mut || pace.time_us(gate.now_us()), None);
+            // A start of a CPU that runs already asks for what is there.
+            let _ = plant.cpu.start_with(restart, by, &mut clock, None);
             self.surroundings.keep(&mut plant.cpu);
         }
-        let own_time = plant.pace.is_paused() || !plant.pace.speed().is_real();
-        plant.cpu.set_time_source(if own_time { TimeSource::Virtual } else { TimeSource::Real });
-        match plant.pace.speed() {
+        plant.cpu.set_time_source(if plant.pace.is_real() { TimeSource::Real } else { TimeSource::Virtual });
+        match (plant.pace.speed(), plant.pace.missed) {
             _ if plant.pace.is_paused() => self.paused(plant),
-            Speed::Max => self.virtual_time(plant),
-            Speed::Factor(_) => self.timed(plant),
+            (Speed::Max, _) => self.virtual_time(plant),
+            (Speed::Factor(_), Missed::MadeUp) => self.every_cycle(plant),
+            (Speed::Factor(_), Missed::LeftOut) => self.timed(plant),
         }
     }
 
@@ -133,7 +158,7 @@ impl<'g> Driver<'g> {
         self.surroundings.is_ended().then_some(End::Ended)
     }
 
-    /// Time stands still: only scans that somebody asks for.
+    /// Time stands still: only scans that are asked for.
     fn paused(&mut self, plant: &mut Plant) -> Next {
         let now_us = plant.pace.time_us(self.gate.now_us());
         if let Some(end) = self.end(plant, now_us) {
@@ -143,17 +168,23 @@ impl<'g> Driver<'g> {
         if !plant.pace.take_step() {
             return Next::Rest(PAUSE_US_MAX);
         }
-        let at_us = now_us.max(self.due_us);
-        plant.pace.pass(at_us - now_us);
+        if plant.pace.missed == Missed::LeftOut {
+            plant.pace.due_us = plant.pace.due_us.max(now_us);
+        }
+        plant.pace.jump_to_scan();
         let began = self.gate.now_us();
+        let at_us = plant.pace.due_us;
         self.scan(plant, &mut || at_us);
-        self.due_us = at_us.saturating_add(plant.pace.cycle_us);
+        plant.pace.due_us = at_us.saturating_add(plant.pace.cycle_us);
         Next::Again(self.gate.now_us().saturating_sub(began))
     }
 
     /// Scans one after another; the clock jumps from scan to scan.
     fn virtual_time(&mut self, plant: &mut Plant) -> Next {
         let began = self.gate.now_us();
+        if plant.pace.missed == Missed::MadeUp {
+            plant.pace.jump_to_scan();
+        }
         for _ in 0..SCANS_AT_ONCE {
             let now_us = plant.pace.time_us(0);
             if let Some(end) = self.end(plant, now_us) {
@@ -167,10 +198,28 @@ impl<'g> Driver<'g> {
             self.scan(plant, &mut || now_us);
             // A cycle of 0 would never pass any time.
             plant.pace.pass(plant.pace.cycle_us.max(1));
+            plant.pace.due_us = plant.pace.time_us(0);
         }
-        self.due_us = plant.pace.time_us(0);
         self.surroundings.at_point(plant);
         Next::Again(self.gate.now_us().saturating_sub(began))
+    }
+
+    /// Scans every cycle at its own time, as in virtual time, when the clock has come to it.
+    fn every_cycle(&mut self, plant: &mut Plant) -> Next {
+        let gate = self.gate;
+        let began = gate.now_us();
+        let (now_us, due_us) = (plant.pace.wait_for_scans(began), plant.pace.due_us);
+        if let Some(end) = self.end(plant, now_us.min(due_us)) {
+            return Next::End(end);
+        }
+        self.surroundings.at_point(plant);
+        if now_us < due_us {
+            let until = due_us.min(plant.pace.end_us);
+            return Next::Rest(plant.pace.real_until(until, began).unwrap_or(PAUSE_US_MAX).max(PAUSE_US_MIN));
+        }
+        self.scan(plant, &mut || due_us);
+        plant.pace.due_us = due_us.saturating_add(plant.pace.cycle_us.max(1));
+        Next::Again(gate.now_us().saturating_sub(began))
     }
 
     /// Scans when the clock says so. A late scan begins at once, and the next one a whole cycle after it: nothing is made up for.
@@ -183,7 +232,7 @@ impl<'g> Driver<'g> {
             return Next::End(end);
         }
         self.surroundings.at_point(plant);
-        let until = self.due_us.min(pace.end_us);
+        let until = pace.due_us.min(pace.end_us);
         if now_us < until {
             if real && plant.cpu.has_background() {
                 gate.in_background(|| plant.cpu.background_with(until, &mut clock));
@@ -213,15 +262,17 @@ impl<'g> Driver<'g> {
         } else {
             self.scan(plant, &mut || now_us);
         }
-        self.due_us = self.due_us.saturating_add(pace.cycle_us).max(now_us);
+        plant.pace.due_us = pace.due_us.saturating_add(pace.cycle_us).max(now_us);
         Next::Again(gate.now_us().saturating_sub(began))
     }
 
     fn scan(&mut self, plant: &mut Plant, clock: &mut dyn FnMut() -> u64) {
         // A CPU in STOP only lets its plants live on.
         let scans = plant.cpu.mode() != OperatingMode::Stop;
+        self.surroundings.before_scan(plant);
         self.desk.scan(plant, clock, self.gate.now_us());
         plant.scans += u64::from(scans);
         self.surroundings.keep(&mut plant.cpu);
+        self.surroundings.after_scan(plant);
     }
 }

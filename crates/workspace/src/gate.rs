@@ -1,8 +1,8 @@
 //! The gate: how other threads come to the CPU between two scans.
 //!
-//! The thread that scans holds the lock exactly while it scans, so whoever holds it then stands at the cycle control point: what is read
-//! belongs to one scan, what is written falls between two. There is no queue and no copy of an area. The scan has right of way: nobody comes
-//! in who could delay it, and whoever is in lets go after a portion.
+//! The thread that scans holds the lock exactly while it scans, so any other thread that holds it stands at the cycle control point: what is
+//! read belongs to one scan, what is written falls between two. There is no queue of requests and no copy of an area. The scan has right of
+//! way: no thread comes in that could delay it, and one that is in lets go after a portion.
 
 use std::sync::atomic::{AtomicBool, AtomicU32, AtomicU64, Ordering};
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
@@ -14,15 +14,15 @@ use sieben_model::value::Value;
 
 use crate::pace::Pace;
 
-/// Nobody comes in when the next scan begins sooner than this, in microseconds.
+/// No thread comes in when the next scan begins sooner than this, in microseconds.
 pub const NEAR_US: u64 = 50;
-/// How long somebody stays inside at a time, in microseconds.
+/// How long a thread stays inside at a time, in microseconds.
 pub const PORTION_US: u64 = 200;
 /// Most jobs that are done at a time.
 pub const PORTION_JOBS: usize = 64;
 /// Most items of one list: all of them are read or written at one cycle control point.
 pub const ITEMS_MAX: usize = 1_000;
-/// Longest wait for a sign of the scan before somebody looks again.
+/// Longest wait for a sign of the scan before a waiting thread looks again.
 const LOOK_AGAIN: Duration = Duration::from_millis(20);
 /// No scan is expected.
 const NEVER: u64 = u64::MAX;
@@ -35,11 +35,11 @@ pub struct Plant {
     pub pace: Pace,
     /// Scans since the beginning of the run, over all restarts.
     pub scans: u64,
-    /// A start that somebody outside has asked for.
+    /// A start that has been asked for from outside.
     pub(crate) start: Option<(Restart, Requester)>,
     /// Whether a CPU in STOP waits for a start instead of ending the run.
     pub(crate) waits_in_stop: bool,
-    /// Whether it does so whoever stops it, and how often.
+    /// Whether it does so after every STOP, whatever caused it.
     pub(crate) stays_in_stop: bool,
 }
 
@@ -49,13 +49,13 @@ impl Plant {
         Self { cpu, pace, scans: 0, start: None, waits_in_stop: false, stays_in_stop: false }
     }
 
-    /// Sends the CPU to STOP on behalf of somebody outside: the run goes on, and the CPU waits there for a start.
+    /// Sends the CPU to STOP on behalf of a client: the run goes on, and the CPU waits there for a start.
     pub fn stop(&mut self, by: Requester) {
         self.waits_in_stop = true;
         Station::stop_by(&mut self.cpu, by);
     }
 
-    /// Asks for a start; the thread that scans carries it out at its next turn.
+    /// Asks for a start; the thread that scans carries it out in its next iteration.
     pub fn ask_for_start(&mut self, restart: Restart, by: Requester) {
         self.start = Some((restart, by));
     }
@@ -65,7 +65,7 @@ impl Plant {
         self.stays_in_stop = true;
     }
 
-    /// Whether a start that somebody asked for is still to come.
+    /// Whether a start that was asked for is still to come.
     pub fn is_about_to_start(&self) -> bool {
         self.start.is_some()
     }
@@ -76,7 +76,7 @@ impl Plant {
     }
 }
 
-/// The run is over: nobody comes in any more.
+/// The run is over: the gate is closed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Closed;
 
@@ -120,8 +120,8 @@ pub type Clock = Box<dyn Fn() -> u64 + Send + Sync>;
 /// The gate.
 pub struct Gate {
     plant: Mutex<Plant>,
-    /// Only one of those outside stands before the lock, so that the scan waits for one portion at most.
-    turn: Mutex<()>,
+    /// Where threads from outside queue: only the first of them waits for the lock, so that the scan waits for one portion at most.
+    queue: Mutex<()>,
     clock: Clock,
     /// When the next scan begins.
     due_us: AtomicU64,
@@ -134,7 +134,7 @@ pub struct Gate {
     /// How many scans have ended.
     points: AtomicU64,
     closed: AtomicBool,
-    /// OB 90 runs, which is interrupted for everyone who wants in.
+    /// OB 90 runs, which is interrupted for every thread that wants in.
     background: AtomicBool,
     requests: StopRequest,
     /// Whether the thread that scans is to look up from its pause.
@@ -149,7 +149,7 @@ fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Somebody who is counted as long as this is there.
+/// A thread that is counted as long as this is there.
 struct Counted<'g>(&'g AtomicU32);
 
 impl<'g> Counted<'g> {
@@ -171,7 +171,7 @@ impl Gate {
         Self {
             requests: plant.cpu.stop_request(),
             plant: Mutex::new(plant),
-            turn: Mutex::default(),
+            queue: Mutex::default(),
             clock,
             due_us: AtomicU64::new(NEVER),
             scan_waits: AtomicBool::default(),
@@ -198,7 +198,7 @@ impl Gate {
     /// The run is over.
     pub fn enter<R>(&self, work: impl FnOnce(&mut Plant) -> R) -> Result<R, Closed> {
         let _waiting = Counted::at(&self.waiting);
-        let _turn = lock(&self.turn);
+        let _first = lock(&self.queue);
         if self.background.load(Ordering::Acquire) {
             self.requests.let_in();
         }
@@ -312,14 +312,14 @@ impl Gate {
             let waits = |(): &mut ()| self.points.load(Ordering::SeqCst) == points && !self.is_closed();
             let (point, time_out) = self.passed.wait_timeout_while(point, LOOK_AGAIN, waits).unwrap_or_else(PoisonError::into_inner);
             drop(point);
-            // A thread that should have scanned long ago does something else: nobody waits for it.
+            // A thread that should have scanned long ago does something else: it is not waited for.
             if time_out.timed_out() && !self.scan_waits.load(Ordering::Acquire) {
                 return;
             }
         }
     }
 
-    /// The thread that scans comes in: everyone else stays outside until it has done its work, whose end is told.
+    /// The thread that scans comes in: all others stay outside until it has done its work, whose end is told.
     pub(crate) fn scan<R>(&self, work: impl FnOnce(&mut Plant) -> R) -> R {
         self.scan_waits.store(true, Ordering::Release);
         let mut plant = lock(&self.plant);
@@ -335,7 +335,7 @@ impl Gate {
         done
     }
 
-    /// OB 90 runs, until somebody wants in.
+    /// OB 90 runs, until a thread wants in.
     pub(crate) fn in_background(&self, run: impl FnOnce()) {
         self.background.store(true, Ordering::SeqCst);
         if self.is_wanted() {
@@ -345,7 +345,7 @@ impl Gate {
         self.background.store(false, Ordering::Release);
     }
 
-    /// Whether somebody wants in.
+    /// Whether a thread wants in.
     pub(crate) fn is_wanted(&self) -> bool {
         self.waiting.load(Ordering::SeqCst) > 0
     }
@@ -359,7 +359,7 @@ impl Gate {
         std::mem::take(&mut *pause)
     }
 
-    /// The run is over: whoever waits gets an answer, and nobody comes in any more.
+    /// The run is over: the threads that wait are told, and the gate is closed.
     pub fn close(&self) {
         self.closed.store(true, Ordering::Release);
         drop(lock(&self.point));
@@ -367,7 +367,7 @@ impl Gate {
         self.wake();
     }
 
-    /// The run is over: what is done with the plant at the end. Nobody else comes in any more.
+    /// The run is over: what is done with the plant at the end, with the gate closed.
     pub fn finish<R>(&self, work: impl FnOnce(&mut Plant) -> R) -> R {
         self.close();
         work(&mut lock(&self.plant))

@@ -11,6 +11,22 @@ pub enum Speed {
 
 /// Least and greatest factor that users can ask for.
 const FACTORS: std::ops::RangeInclusive<f64> = 0.001..=10_000.0;
+/// The speeds that the keys of a screen step through.
+const STEPS: [Speed; 11] = [
+    Speed::Factor(0.1),
+    Speed::Factor(0.25),
+    Speed::Factor(0.5),
+    Speed::Factor(1.0),
+    Speed::Factor(2.0),
+    Speed::Factor(5.0),
+    Speed::Factor(10.0),
+    Speed::Factor(20.0),
+    Speed::Factor(50.0),
+    Speed::Factor(100.0),
+    Speed::Max,
+];
+/// What a computer is late and makes up for, in microseconds; what it is later than that, time waits for.
+const LATE_US_MAX: u64 = 100_000;
 
 impl Speed {
     /// Reads `1x`, `0.5x`, `10` or `max`.
@@ -28,6 +44,23 @@ impl Speed {
         }
     }
 
+    /// The next faster one that a key sets; the fastest one stays.
+    #[must_use]
+    pub fn faster(self) -> Self {
+        STEPS.into_iter().find(|step| step.times() > self.times()).unwrap_or(self)
+    }
+
+    /// The next slower one that a key sets; the slowest one stays.
+    #[must_use]
+    pub fn slower(self) -> Self {
+        STEPS.into_iter().rev().find(|step| step.times() < self.times()).unwrap_or(self)
+    }
+
+    /// How many times as fast as real time; without end for [`Self::Max`].
+    fn times(self) -> f64 {
+        if let Self::Factor(factor) = self { factor } else { f64::INFINITY }
+    }
+
     /// Whether the CPU has the time of the computer.
     pub fn is_real(self) -> bool {
         self == Self::Factor(1.0)
@@ -43,6 +76,16 @@ impl std::fmt::Display for Speed {
     }
 }
 
+/// What becomes of the cycles that a computer was too late for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Missed {
+    /// They are left out: a late scan begins at once, the next one a whole cycle after it.
+    #[default]
+    LeftOut,
+    /// Each is scanned, at its own time, as in virtual time: every run is the same, at any speed. Time waits where the computer cannot keep up.
+    MadeUp,
+}
+
 /// The time of the CPU: how fast it goes, when scans begin, when the run ends. All in microseconds.
 #[derive(Clone, Debug)]
 pub struct Pace {
@@ -50,6 +93,10 @@ pub struct Pace {
     pub cycle_us: u64,
     /// When the run ends.
     pub end_us: u64,
+    /// What becomes of the cycles that the computer was too late for.
+    pub missed: Missed,
+    /// When the next scan begins.
+    pub(crate) due_us: u64,
     speed: Speed,
     paused: bool,
     /// Scans that are still to be run while time stands still.
@@ -61,7 +108,7 @@ pub struct Pace {
 impl Pace {
     /// Time that begins at 0 when the computer's shows `real_us`.
     pub fn new(speed: Speed, cycle_us: u64, end_us: u64, real_us: u64) -> Self {
-        Self { cycle_us, end_us, speed, paused: false, steps: 0, since: (real_us, 0) }
+        Self { cycle_us, end_us, missed: Missed::default(), due_us: 0, speed, paused: false, steps: 0, since: (real_us, 0) }
     }
 
     /// How fast it goes.
@@ -140,6 +187,29 @@ impl Pace {
         if self.paused { self.steps } else { 0 }
     }
 
+    /// Whether the clock of the CPU is that of the computer.
+    pub(crate) fn is_real(&self) -> bool {
+        !self.paused && self.speed.is_real() && self.missed == Missed::LeftOut
+    }
+
+    /// The time of the CPU, which waits for a computer that is too late for scans to make up for all of it.
+    pub(crate) fn wait_for_scans(&mut self, real_us: u64) -> u64 {
+        let late_us = match self.speed {
+            Speed::Factor(factor) => (LATE_US_MAX as f64 * factor) as u64,
+            Speed::Max => 0,
+        };
+        let (now_us, latest_us) = (self.time_us(real_us), self.due_us.saturating_add(late_us));
+        if now_us > latest_us {
+            self.since = (real_us, latest_us);
+        }
+        now_us.min(latest_us)
+    }
+
+    /// Time that stands still goes to the next scan, and no further.
+    pub(crate) fn jump_to_scan(&mut self) {
+        self.since.1 = self.due_us;
+    }
+
     /// Lets time pass at once: from scan to scan in virtual time, or in steps.
     pub(crate) fn pass(&mut self, us: u64) {
         self.since.1 = self.since.1.saturating_add(us);
@@ -161,6 +231,31 @@ mod tests {
         for speed in [Speed::Factor(1.0), Speed::Factor(0.25), Speed::Max] {
             assert_eq!(Speed::parse(&speed.to_string()), Ok(speed));
         }
+    }
+
+    #[test]
+    fn keys_step_through_the_speeds() {
+        let (mut speed, mut seen) = (Speed::Factor(0.001), Vec::new());
+        while speed != speed.faster() {
+            speed = speed.faster();
+            seen.push(speed);
+        }
+        assert_eq!(seen, STEPS);
+        assert_eq!(Speed::Factor(3.0).slower(), Speed::Factor(2.0));
+        assert_eq!(Speed::Factor(3.0).faster(), Speed::Factor(5.0));
+        assert_eq!(Speed::Max.slower(), Speed::Factor(100.0));
+        assert_eq!(Speed::Factor(0.1).slower(), Speed::Factor(0.1));
+    }
+
+    #[test]
+    fn time_waits_for_a_computer_that_is_far_too_late() {
+        let mut pace = Pace::new(Speed::Factor(10.0), 10_000, u64::MAX, 0);
+        pace.due_us = 30_000;
+        assert_eq!(pace.wait_for_scans(50_000), 500_000, "50 ms late are made up for");
+        assert_eq!(pace.wait_for_scans(900_000), 1_030_000);
+        assert_eq!(pace.time_us(900_100), 1_031_000, "it goes on from there");
+        pace.set_speed(Speed::Factor(10_000.0), 900_100);
+        assert_eq!(pace.wait_for_scans(u64::MAX), 1_000_030_000);
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use sieben_model::problems::Problem;
 
-/// Why something that was asked for is not done. It says nothing about how whoever asked goes on.
+/// Why something that was asked for is not done. It says nothing about how the caller goes on.
 #[derive(Clone, Debug)]
 pub struct Refusal {
     /// The row of the table of problems.

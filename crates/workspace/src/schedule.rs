@@ -10,7 +10,7 @@ use crate::names;
 use crate::refusal::Refusal;
 use crate::settings::Settings;
 
-/// From one scan to the next, if nobody says otherwise.
+/// From one scan to the next, unless something else is said.
 const USUAL_CYCLE: Duration = Duration::from_millis(10);
 
 /// When a scan begins, by its number.
@@ -77,7 +77,7 @@ pub fn cycle(asked: Option<Duration>, settings: &Settings) -> Duration {
     asked.unwrap_or(usual).max(settings.min_cycle.unwrap_or_default())
 }
 
-/// The same where time has to go on, whatever is asked for, and nobody waits for a least cycle time.
+/// The same where time has to go on, whatever is asked for, and no least cycle time is waited for.
 pub fn going_cycle(asked: Option<Duration>, settings: &Settings) -> Duration {
     asked.or(settings.cycle).filter(|cycle| !cycle.is_zero()).unwrap_or(USUAL_CYCLE)
 }

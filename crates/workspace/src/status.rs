@@ -5,7 +5,7 @@
 
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
-use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
@@ -75,13 +75,17 @@ pub struct Desk {
     last_us: AtomicU64,
     recorded: Mutex<Option<Recorded>>,
     came: Condvar,
+    /// How many scans were recorded.
+    recordings: AtomicU64,
+    /// A thread replays.
+    replaying: AtomicBool,
     /// How the last recorded scan ended: the next recording shares with it what is the same.
     like: Mutex<Option<Arc<EndState>>>,
     newest: Mutex<Newest>,
     sampled: Condvar,
 }
 
-/// Somebody looks at blocks as long as this is there.
+/// Blocks are looked at as long as this is there.
 pub struct Look<'d> {
     desk: &'d Desk,
     blocks: Vec<BlockId>,
@@ -119,12 +123,14 @@ impl Desk {
         Look { desk: self, blocks }
     }
 
-    /// One scan, recorded if somebody looks and it is time. `real_us` is what the computer's clock shows.
+    /// One scan, recorded if there are onlookers and it is time. `real_us` is what the computer's clock shows. Of the scans that are asked for
+    /// while time stands still the last one is always recorded: it is the one that they look at.
     pub(crate) fn scan(&self, plant: &mut Plant, clock: &mut dyn FnMut() -> u64, real_us: u64) {
         let last = self.last_us.load(Ordering::Relaxed);
-        let is_due = last == 0 || real_us.saturating_sub(last) >= DISTANCE_US;
+        let is_last_step = plant.pace.is_paused() && !plant.pace.has_steps();
+        let is_due = last == 0 || is_last_step || real_us.saturating_sub(last) >= DISTANCE_US;
         let wanted = self.onlookers.load(Ordering::Acquire) > 0 && is_due;
-        // Whoever replays is still at the last one: this scan is not needed.
+        // The last recording has not been taken for its replay yet: this scan is not needed.
         let free = wanted && self.recorded.try_lock().is_ok_and(|recorded| recorded.is_none());
         if !free {
             plant.cpu.scan_with(clock, None);
@@ -136,11 +142,25 @@ impl Desk {
         *lock(&self.like) = Some(Arc::clone(scan.after()));
         let time_us = plant.cpu.time_us();
         *lock(&self.recorded) = Some(Recorded { scan, number: plant.scans + 1, time_us });
+        self.recordings.fetch_add(1, Ordering::Relaxed);
         self.came.notify_all();
     }
 
-    /// Replays what is recorded until `is_over`: the body of a thread.
+    /// How many scans were recorded: these took longer than others.
+    pub fn recordings(&self) -> u64 {
+        self.recordings.load(Ordering::Relaxed)
+    }
+
+    /// Replays what is recorded until `is_over`: the body of a thread. One is enough: where another one replays already, this returns at once.
     pub fn replay(&self, is_over: impl Fn() -> bool) {
+        if self.replaying.swap(true, Ordering::AcqRel) {
+            return;
+        }
+        self.replay_until(is_over);
+        self.replaying.store(false, Ordering::Release);
+    }
+
+    fn replay_until(&self, is_over: impl Fn() -> bool) {
         let mut replayer = Replayer::default();
         while !is_over() {
             let recorded = lock(&self.recorded);

@@ -18,7 +18,7 @@ use sieben_sim::history::{History, Plan, Until, Watch};
 use sieben_sim::scenario::Scenario;
 use sieben_sim::timing_diagram::{self, Options as Drawn};
 use sieben_sim::trace::{Memory, Trace, csv, vcd};
-use sieben_workspace::settings;
+use sieben_workspace::{Pace, Plant, Speed, settings};
 
 /// Something that must survive any input.
 pub struct Target {
@@ -42,6 +42,8 @@ pub const TARGETS: &[Target] = &[
     Target { name: "cpu-run", fuzz: run, corpus: "stl", fences: &["stl"], words: stl_words },
     Target { name: "engines", fuzz: super::engines::fuzz, corpus: "engines", fences: &["stl"], words: stl_words },
     Target { name: "trees", fuzz: super::trees::fuzz, corpus: "engines", fences: &[], words: no_words },
+    Target { name: "comm-wire", fuzz: sieben_comm::s7comm::fuzz::wire, corpus: "comm-wire", fences: &[], words: no_words },
+    Target { name: "comm-session", fuzz: s7_session, corpus: "comm-session", fences: &[], words: no_words },
     Target { name: "cpu-retain", fuzz: retain, corpus: "retain", fences: &[], words: no_words },
     Target { name: "cpu-system", fuzz: sieben_cpu::system::fuzz, corpus: "system", fences: &[], words: no_words },
     Target { name: "lang-awlsim-project", fuzz: sieben_lang::awlsim_project::fuzz, corpus: "awlpro", fences: &[], words: project_words },
@@ -165,6 +167,21 @@ fn retain(data: &[u8]) {
         cpu.scan(10_000);
         assert!(cpu.retain_image().is_none_or(RetainImage::is_sound), "what is handed out can be taken back");
     }
+}
+
+/// Gives the input to a session of an S7 client before a CPU with a few data blocks.
+fn s7_session(data: &[u8]) {
+    const PROGRAM: &str = "DATA_BLOCK DB 1\nSTRUCT\n b : ARRAY [0..299] OF BYTE ;\nEND_STRUCT\nBEGIN\nEND_DATA_BLOCK\n\
+        DATA_BLOCK DB 2\nREAD_ONLY\nSTRUCT\n n : DINT ;\nEND_STRUCT\nBEGIN\nEND_DATA_BLOCK\n\
+        ORGANIZATION_BLOCK OB 1\nBEGIN\nL MW 0; T DB1.DBW 0;\nEND_ORGANIZATION_BLOCK\n";
+    static COMPILED: OnceLock<Arc<Program>> = OnceLock::new();
+    let program = COMPILED.get_or_init(|| Arc::new(compiled("fuzz.awl", PROGRAM.as_bytes()).program));
+    let cpu_type = &CpuType::ALL[data.len() % CpuType::ALL.len()];
+    let mut cpu = Cpu::load(cpu_type, Arc::clone(program), Interpreter::load, Rack::simulated(cpu_type), Settings::default());
+    cpu.restart(Restart::Warm);
+    cpu.scan(0);
+    let mut plant = Plant::new(cpu, Pace::new(Speed::Max, 10_000, u64::MAX, 0));
+    sieben_comm::s7comm::fuzz::session(&mut plant, data);
 }
 
 /// Decodes the input; what was decoded without errors comes out again when it is encoded.

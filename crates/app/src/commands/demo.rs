@@ -1,21 +1,21 @@
 //! `sieben demo`: a dosing plant with its controller, live in the terminal.
 
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::{Duration, Instant};
+use std::sync::Arc;
+use std::time::Duration;
 
 use clap::{Args, ValueEnum};
 use sieben_lang::symbols::assignment;
 use sieben_workspace::Speed;
 
+use crate::control::Server;
 use crate::duration::duration_argument;
 use crate::failure::{Exit, Failure};
 use crate::palette::Palette;
-use crate::screen::{self, CYCLE_US, Session, clock, thousands};
-use crate::screen::{Entry, Event};
+use crate::screen::{self, CYCLE_US, Entry, Event, Outcome, Session, clock, thousands};
 use crate::{output, terminal};
 
-/// Longest sleep without a look at Ctrl-C.
-const STEP: Duration = Duration::from_millis(50);
+/// The speeds of the picture.
+const FACTORS: (f64, f64) = (0.1, 100.0);
 
 /// A demo plant.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -41,68 +41,62 @@ pub(crate) struct Arguments {
 /// Runs the demo: with a picture on a terminal, else with one line per change.
 pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let Plant::Dosing = arguments.name;
-    let mut session = Session::new();
-    let interrupted = terminal::interrupted();
-    let speed = arguments.speed.unwrap_or(Speed::Factor(1.0));
-    if terminal::has_screen() {
-        let factor = if let Speed::Factor(factor) = speed { factor } else { f64::INFINITY };
-        screen::run(&mut session, factor, arguments.time, Palette::wanted(), &interrupted).map_err(|error| terminal::broken(&error))?;
-        output::print(&farewell(&session))?;
+    let has_screen = terminal::has_screen();
+    let speed = match arguments.speed.unwrap_or(Speed::Factor(1.0)) {
+        Speed::Factor(factor) if has_screen => Speed::Factor(factor.clamp(FACTORS.0, FACTORS.1)),
+        Speed::Max if has_screen => Speed::Factor(FACTORS.1),
+        speed => speed,
+    };
+    let session = Arc::new(Session::new(speed, arguments.time));
+    let interrupted = Arc::clone(&session);
+    terminal::on_interrupt(move || interrupted.end());
+    let server = Server::of_demo(&session.gate, &session.desk, &session.facts);
+    if has_screen {
+        if let Err(without) = &server {
+            // The whole reason has no room there.
+            let _ = session.note(without.note());
+        }
+        screen::run(&session, Palette::wanted()).map_err(|error| terminal::broken(&error))?;
     } else {
-        print_changes(&mut session, speed, arguments.time, &interrupted)?;
+        if let Err(without) = &server {
+            output::message(&without.to_string());
+        }
+        print_changes(&session)?;
     }
+    drop(server);
+    output::print(&farewell(&session.outcome()))?;
     Ok(Exit::Success)
 }
 
 /// One sentence about what was seen.
-fn farewell(session: &Session) -> String {
-    let scans = session.scans();
+fn farewell(outcome: &Outcome) -> String {
+    let Outcome { scans, time_ms, litres } = *outcome;
     format!(
-        "{} {} in {} of the plant, {:.1} litres through the valve.\nThe program is in examples/dosing; `sieben new my-plant --example dosing` copies it.\n",
+        "{} {} in {} of the plant, {litres:.1} litres through the valve.\nThe program is in examples/dosing; `sieben new my-plant --example dosing` copies it.\n",
         thousands(scans),
         if scans == 1 { "scan" } else { "scans" },
-        clock(session.time_ms()),
-        session.plant().tank.litres_delivered(),
+        clock(time_ms),
     )
 }
 
 /// The demo without a terminal.
-fn print_changes(session: &mut Session, speed: Speed, time: Option<Duration>, interrupted: &AtomicBool) -> Result<(), Failure> {
+fn print_changes(session: &Session) -> Result<(), Failure> {
     output::print(&format!(
         "Sieben demo: dosing of a liquid, CPU {}, cycle {} ms. One line per change; Ctrl-C ends it.\n\n{}\n",
-        session.cpu().cpu_type().name,
+        session.cpu_type.name,
         CYCLE_US / 1_000,
-        assignment::text(session.symbols())
+        assignment::text(&session.symbols)
     ))?;
-    let begin = Instant::now();
-    let mut printed = session.changes.count;
-    let mut plant_time = Duration::ZERO;
-    while !interrupted.load(Ordering::Relaxed) && time.is_none_or(|time| plant_time < time) {
-        session.scan(false);
-        plant_time += Duration::from_micros(CYCLE_US);
-        let new = (session.changes.count - printed) as usize;
-        printed = session.changes.count;
-        let entries = &session.changes.entries;
-        let lines: String = entries.iter().skip(entries.len().saturating_sub(new)).map(line).collect();
-        if !lines.is_empty() {
-            output::print(&lines)?;
+    let mut printed = Ok(());
+    session.scan(&mut |entry| {
+        if printed.is_ok() {
+            printed = output::print(&line(entry));
+            if printed.is_err() {
+                session.end();
+            }
         }
-        if let Speed::Factor(factor) = speed {
-            wait_until(begin + plant_time.div_f64(factor), interrupted);
-        }
-    }
-    output::print(&farewell(session))
-}
-
-/// Waits in short steps, so that Ctrl-C is heard at any speed.
-fn wait_until(due: Instant, interrupted: &AtomicBool) {
-    while !interrupted.load(Ordering::Relaxed) {
-        let left = due.saturating_duration_since(Instant::now());
-        if left.is_zero() {
-            break;
-        }
-        std::thread::sleep(left.min(STEP));
-    }
+    });
+    printed
 }
 
 /// `scan 1,204 (12.04 s): Q 0.0 0→1 (Dosing valve)`.

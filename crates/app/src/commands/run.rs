@@ -132,7 +132,7 @@ pub(crate) fn run_as(verb: Verb, mut arguments: RunArguments) -> Result<Exit, Fa
     };
     let always = if verb == Verb::Serve { Always::Yes } else { Always::No };
     let prepared = match arguments.servers.config(&build.project, always)? {
-        Some(config) => Some(Prepared::new(config, &build.project)?),
+        Some(config) => Some(Prepared::new(&arguments.servers, config, &build.project)?),
         None => None,
     };
     let project = &build.project.settings;
@@ -190,7 +190,7 @@ pub(crate) fn run_as(verb: Verb, mut arguments: RunArguments) -> Result<Exit, Fa
     if let Err(why) = &server
         && !arguments.json
     {
-        output::message(why);
+        output::message(&why.to_string());
     }
     let mut servers = prepared.map(|prepared| prepared.start(build.cpu, &gate, arguments.engine)).transpose()?;
     if let Some(servers) = &servers {

@@ -22,12 +22,13 @@ const NAMES_MAX: usize = 200;
 #[command(after_help = "Examples:\n  \
   sieben top                         the run of the project in this folder\n  \
   sieben top pump --show MW10,Motor  with values\n  \
-  sieben top pump --json             one look, for programs\n\n\
-The run is one that `sieben run` with the same PATH has started, in another terminal.\n\
+  sieben top pump --json             one look, for programs\n  \
+  sieben top demo                    the demo\n\n\
+The run is one that `sieben run` with the same PATH, or `sieben demo`, has started in another terminal.\n\
 Keys: r run, s stop, p pause, g go on, n one scan, + and - speed, q quit.\n\
 Exit codes: 0 ok, 2 usage, or nothing runs.")]
 pub(crate) struct Arguments {
-    /// Source files, symbol tables, or a project folder, as `run` was given them [default: this folder]
+    /// Source files, symbol tables, or a project folder, as `run` was given them, or `demo` [default: this folder]
     #[arg(value_name = "PATH")]
     paths: Vec<PathBuf>,
     /// Show values too: addresses, symbols, DB1.name, ACCU1 …, separated by commas

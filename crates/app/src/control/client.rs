@@ -8,7 +8,7 @@ use std::time::Duration;
 use serde_json::{Value, json};
 use sieben_model::problems::Problem;
 
-use super::place;
+use super::place::{self, DEMO};
 use crate::failure::Failure;
 use crate::paths::shown;
 
@@ -27,12 +27,19 @@ pub(crate) struct Client {
 impl Client {
     /// Connects to the run of the program that these paths name.
     pub(crate) fn connect(paths: &[PathBuf]) -> Result<Self, Failure> {
-        if let Some(missing) = paths.iter().find(|path| !path.exists()) {
-            return Err(Failure::usage(Problem::P6001, format!("`{}` does not exist", shown(missing))));
+        let missing = paths.iter().find(|path| !path.exists());
+        // The demo has no path; what lies here under its name goes first.
+        let is_demo = matches!(paths, [path] if path.as_os_str() == DEMO);
+        let mut places = match missing {
+            None => place::places(paths, place::home(paths).as_deref()),
+            Some(_) if is_demo => Vec::new(),
+            Some(missing) => return Err(Failure::usage(Problem::P6001, format!("`{}` does not exist", shown(missing)))),
+        };
+        if is_demo {
+            places.extend(place::of_demo());
         }
-        let home = place::home(paths);
         let mut refused = None;
-        for place in place::places(paths, home.as_deref()) {
+        for place in places {
             match place.connect() {
                 Ok(socket) => {
                     let stream = UnixStream::from(socket);
@@ -43,7 +50,7 @@ impl Client {
                     };
                 }
                 Err(error) if error.kind() == io::ErrorKind::PermissionDenied => refused = Some((place, error)),
-                // Nobody is there, or a killed run left its socket.
+                // No run is there, or a killed one left its socket.
                 Err(_) => {}
             }
         }
@@ -54,7 +61,12 @@ impl Client {
         Err(match refused {
             Some((place, error)) => Failure::usage(Problem::P7090, format!("`{}` cannot be opened: {error}", place::shown(&place)))
                 .help("only the user who started a run can look at it"),
-            None => Failure::usage(Problem::P7090, format!("no run of {what} answers")),
+            None if is_demo => Failure::usage(Problem::P7090, "no demo answers").help("start it with `sieben demo` in another terminal"),
+            None => {
+                let failure = Failure::usage(Problem::P7090, format!("no run of {what} answers"));
+                let has_demo = place::of_demo().iter().any(|place| place.connect().is_ok());
+                if has_demo { failure.help("the demo runs: `sieben top demo`") } else { failure }
+            }
         })
     }
 

@@ -29,6 +29,9 @@ const LOCK_WAIT: Duration = Duration::from_millis(10);
 /// Connections that wait to be accepted.
 const BACKLOG: i32 = 16;
 
+/// What the demo is called, by `sieben top` and where its socket lies: no path, so that no program has the same.
+pub(crate) const DEMO: &str = "demo";
+
 /// A place where the socket of a run may be.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Place {
@@ -47,7 +50,7 @@ pub(crate) struct Place {
 enum Owner {
     /// It belongs to the project.
     Project,
-    /// It belongs to the user, and nobody else may look into it.
+    /// It belongs to the user, and no other user may look into it.
     User,
 }
 
@@ -74,7 +77,20 @@ pub(crate) fn places(paths: &[PathBuf], home: Option<&Path>) -> Vec<Place> {
         let names = (OsString::from(PROJECT_FOLDER), OsString::from(PROJECT_SOCKET));
         places.push(Place { parent: home.clone(), folder: names.0, name: names.1, owner: Owner::Project });
     }
-    let name = OsString::from(format!("sieben-{:016x}.sock", hash(&home.map_or_else(|| named(paths), |home| vec![home]))));
+    add_places_of_user(&mut places, &home.map_or_else(|| named(paths), |home| vec![home]));
+    places
+}
+
+/// The places for the demo, of which each user has one: it belongs to no folder.
+pub(crate) fn of_demo() -> Vec<Place> {
+    let mut places = Vec::new();
+    add_places_of_user(&mut places, &[PathBuf::from(DEMO)]);
+    places
+}
+
+/// Adds the places in folders of the user, for a program with these paths, and leaves out what is too long.
+fn add_places_of_user(places: &mut Vec<Place>, paths: &[PathBuf]) {
+    let name = OsString::from(format!("sieben-{:016x}.sock", hash(paths)));
     let runtime = std::env::var_os("XDG_RUNTIME_DIR").map(PathBuf::from).filter(|folder| folder.is_absolute());
     if let Some(parent) = runtime {
         places.push(Place { parent, folder: OsString::from("sieben"), name: name.clone(), owner: Owner::User });
@@ -82,7 +98,6 @@ pub(crate) fn places(paths: &[PathBuf], home: Option<&Path>) -> Vec<Place> {
     let user = rustix::process::geteuid().as_raw();
     places.push(Place { parent: std::env::temp_dir(), folder: OsString::from(format!("sieben-{user}")), name, owner: Owner::User });
     places.retain(|place| place.path().as_os_str().len() <= PATH_BYTES_MAX);
-    places
 }
 
 /// The folder of the `sieben.toml` that these paths lead to, as a run finds it.
@@ -128,7 +143,7 @@ impl Place {
 
     /// Connects to the run that answers here.
     pub(crate) fn connect(&self) -> io::Result<OwnedFd> {
-        // Nobody else can offer a socket in the place of ours.
+        // No other user can offer a socket in the place of ours.
         self.open()?;
         connect(&self.path(), SocketFlags::CLOEXEC)
     }
@@ -181,7 +196,7 @@ impl Place {
         let path = self.path();
         match connect(&path, SocketFlags::CLOEXEC | SocketFlags::NONBLOCK) {
             Ok(_) => return Err(NoSocket::Taken),
-            // Somebody listens and has not accepted for long.
+            // A run listens and has not accepted for long.
             Err(error) if error.kind() == io::ErrorKind::WouldBlock => return Err(NoSocket::Taken),
             Err(error) if error.kind() == io::ErrorKind::NotFound => {}
             Err(error) if error.kind() == io::ErrorKind::ConnectionRefused => self.remove_left(folder)?,
@@ -190,14 +205,14 @@ impl Place {
         let flags = SocketFlags::CLOEXEC | SocketFlags::NONBLOCK;
         let listener = rustix::net::socket_with(AddressFamily::UNIX, SocketType::STREAM, flags, None)?;
         rustix::net::bind(&listener, &SocketAddrUnix::new(&path)?)?;
-        // Nobody can connect before it listens.
+        // Connecting is not possible before it listens.
         rustix::fs::chmodat(folder, &self.name, Mode::RUSR | Mode::WUSR, AtFlags::empty())?;
         rustix::net::listen(&listener, BACKLOG)?;
         let stat = rustix::fs::statat(folder, &self.name, AtFlags::SYMLINK_NOFOLLOW)?;
         Ok((listener, stat))
     }
 
-    /// Removes a socket that nobody listens to; anything else of that name stays.
+    /// Removes a socket without a listener; anything else of that name stays.
     fn remove_left(&self, folder: &Folder) -> io::Result<()> {
         let stat = rustix::fs::statat(folder, &self.name, AtFlags::SYMLINK_NOFOLLOW)?;
         if FileType::from_raw_mode(stat.st_mode) != FileType::Socket {
@@ -226,7 +241,7 @@ pub(crate) struct Bound {
 
 impl Drop for Bound {
     fn drop(&mut self) {
-        // If anything fails here, the next run finds a socket that nobody listens to, and removes it.
+        // If anything fails here, the next run finds a socket without a listener, and removes it.
         if lock(&self.folder).is_err() {
             return;
         }
@@ -277,6 +292,14 @@ mod tests {
         assert_eq!(places(&[], Some(root)), places(&[root.join("src")], Some(&root.join("src/.."))));
         // Other builds of Sieben have to find it.
         assert_eq!(hash(&[PathBuf::from("/pump")]), 0xF755_A5AA_21D2_0CD0);
+    }
+
+    #[test]
+    fn the_demo_is_the_same_from_every_folder_and_no_program() {
+        assert_eq!(hash(&[PathBuf::from(DEMO)]), 0x596E_2675_EFE9_87E2);
+        assert!(of_demo().iter().all(|place| place.owner == Owner::User));
+        // What is there has a path from the root.
+        assert!(named(&[PathBuf::from("src")]).iter().all(|path| path.is_absolute()) && !Path::new(DEMO).is_absolute());
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! Serves the control socket of a run: one thread that accepts, one for each client, all of which end with the run.
 
+use std::fmt;
 use std::io::{self, ErrorKind, Read, Write};
 use std::os::unix::net::{UnixListener, UnixStream};
 use std::path::{Path, PathBuf};
@@ -25,12 +26,42 @@ const WRITE_WAIT: Duration = Duration::from_millis(200);
 /// How long the thread that accepts waits when the system has no room for another connection.
 const NO_ROOM_WAIT: Timespec = Timespec { tv_sec: 0, tv_nsec: 100_000_000 };
 
+/// Why a run goes on without a control socket.
+#[derive(Debug)]
+pub(crate) enum Without {
+    /// Another run of the same program has it, at this place.
+    Taken(String),
+    /// It cannot be made, for this reason.
+    Failed(String),
+}
+
+impl Without {
+    /// The same in a few words.
+    pub(crate) fn note(&self) -> &'static str {
+        match self {
+            Self::Taken(_) => "another demo answers `sieben top`",
+            Self::Failed(_) => "no control socket: no `sieben top`",
+        }
+    }
+}
+
+impl fmt::Display for Without {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Taken(place) => {
+                writeln!(f, "Another run of this program answers at `{place}`; this one goes on without a control socket.")
+            }
+            Self::Failed(why) => writeln!(f, "This run goes on without a control socket, so `sieben top` does not see it: {why}."),
+        }
+    }
+}
+
 /// What the threads share.
 struct Shared {
     gate: Arc<Gate>,
     desk: Arc<Desk>,
     facts: Arc<CurrentFacts>,
-    /// Those who are connected, by number, so that the end of the run wakes their threads.
+    /// The connected clients, by number, so that the end of the run wakes their threads.
     clients: Mutex<Vec<(u64, UnixStream)>>,
 }
 
@@ -48,17 +79,29 @@ impl Server {
     /// Begins to serve the run of the program that these paths name. `home` is the folder of its `sieben.toml`.
     ///
     /// # Errors
-    /// The run goes on without a socket; the text says why.
+    /// The run goes on without a socket.
     pub(crate) fn start(
         (paths, home): (&[PathBuf], Option<&Path>),
         gate: &Arc<Gate>,
         desk: &Arc<Desk>,
         facts: &Arc<CurrentFacts>,
-    ) -> Result<Self, String> {
-        let bound = bind(&place::places(paths, home))?;
+    ) -> Result<Self, Without> {
+        Self::at(&place::places(paths, home), gate, desk, facts)
+    }
+
+    /// Begins to serve the demo.
+    ///
+    /// # Errors
+    /// The demo goes on without a socket.
+    pub(crate) fn of_demo(gate: &Arc<Gate>, desk: &Arc<Desk>, facts: &Arc<CurrentFacts>) -> Result<Self, Without> {
+        Self::at(&place::of_demo(), gate, desk, facts)
+    }
+
+    fn at(places: &[Place], gate: &Arc<Gate>, desk: &Arc<Desk>, facts: &Arc<CurrentFacts>) -> Result<Self, Without> {
+        let bound = bind(places)?;
         let shared =
             Arc::new(Shared { gate: Arc::clone(gate), desk: Arc::clone(desk), facts: Arc::clone(facts), clients: Mutex::default() });
-        Self::threads(shared, bound).map_err(|error| without(&error.to_string()))
+        Self::threads(shared, bound).map_err(|error| Without::Failed(error.to_string()))
     }
 
     fn threads(shared: Arc<Shared>, bound: Bound) -> io::Result<Self> {
@@ -87,26 +130,17 @@ impl Drop for Server {
     }
 }
 
-fn without(why: &str) -> String {
-    format!("This run goes on without a control socket, so `sieben top` does not see it: {why}.\n")
-}
-
 /// The first place where the socket can be.
-fn bind(places: &[Place]) -> Result<Bound, String> {
+fn bind(places: &[Place]) -> Result<Bound, Without> {
     let mut why = "no path for it is short enough".to_owned();
     for place in places {
         match place.clone().bind() {
             Ok(bound) => return Ok(bound),
-            Err(NoSocket::Taken) => {
-                return Err(format!(
-                    "Another run of this program answers at `{}`; this one goes on without a control socket.\n",
-                    place::shown(place)
-                ));
-            }
+            Err(NoSocket::Taken) => return Err(Without::Taken(place::shown(place))),
             Err(NoSocket::Failed(error)) => why = format!("`{}`: {error}", place::shown(place)),
         }
     }
-    Err(without(&why))
+    Err(Without::Failed(why))
 }
 
 impl Shared {
@@ -135,7 +169,7 @@ impl Shared {
     fn welcome(self: &Arc<Self>, number: u64, mut stream: UnixStream) {
         let Some(connection) = self.facts.connect(CONNECTIONS_MAX) else {
             let refusal = Refusal::new(Problem::P7092, format!("{CONNECTIONS_MAX} are connected, which is the most"));
-            // Whoever does not read it sees the end.
+            // A client that does not read it sees the end.
             let _ = stream.set_nonblocking(true).and_then(|()| stream.write_all(line(&Value::Null, &Err(refusal)).as_bytes()));
             return;
         };
@@ -171,7 +205,7 @@ impl Shared {
         }
     }
 
-    /// Writes an answer; whoever takes nothing of it for [`UNREAD_MAX`] is given up.
+    /// Writes an answer; a client that takes nothing of it for [`UNREAD_MAX`] is given up.
     fn write(&self, stream: &mut UnixStream, mut bytes: &[u8]) -> io::Result<()> {
         let mut taken = Instant::now();
         while !bytes.is_empty() {

@@ -1,6 +1,7 @@
 //! What changed: the operands of the symbol table, compared from scan to scan.
 
 use std::collections::VecDeque;
+use std::sync::Arc;
 
 use sieben_cpu::Station;
 use sieben_model::address::{Operand, Width};
@@ -21,8 +22,6 @@ pub(crate) struct Watched {
     pub(crate) symbol: String,
     /// `Dosing valve`.
     pub(crate) comment: String,
-    /// Raw bits, or the count of a counter.
-    pub(crate) value: u32,
 }
 
 impl Watched {
@@ -71,9 +70,11 @@ pub(crate) enum Event {
 #[derive(Clone, Debug)]
 pub(crate) struct Changes {
     /// In the order of the symbol table.
-    watched: Vec<Watched>,
+    pub(crate) watched: Arc<[Watched]>,
+    /// Their raw bits, or the count of a counter.
+    pub(crate) values: Vec<u32>,
     /// The newest entry last, at most [`KEPT`].
-    pub(crate) entries: VecDeque<Entry>,
+    entries: VecDeque<Arc<Entry>>,
     /// Entries since the beginning.
     pub(crate) count: u64,
 }
@@ -83,29 +84,26 @@ impl Changes {
     pub(crate) fn new(symbols: &SymbolTable, station: &dyn Station) -> Self {
         let watch = |symbol: &sieben_model::symbols::Symbol| {
             let operand = symbol.operand()?;
-            Some(Watched {
-                address: operand.spell(Mnemonics::English),
-                symbol: symbol.name.clone(),
-                comment: symbol.comment.clone(),
-                value: station.read(&operand).ok()?,
-                operand,
-            })
+            let value = station.read(&operand).ok()?;
+            let (address, symbol, comment) = (operand.spell(Mnemonics::English), symbol.name.clone(), symbol.comment.clone());
+            Some((Watched { operand, address, symbol, comment }, value))
         };
-        Self { watched: symbols.symbols().iter().filter_map(watch).collect(), entries: VecDeque::new(), count: 0 }
+        let (watched, values): (Vec<_>, Vec<_>) = symbols.symbols().iter().filter_map(watch).unzip();
+        Self { watched: watched.into(), values, entries: VecDeque::new(), count: 0 }
     }
 
     /// Compares all operands with the scan before.
     pub(crate) fn observe(&mut self, station: &dyn Station, scan: u64, time_ms: u64) {
-        let mut seen = Vec::new();
-        for watched in &mut self.watched {
+        let watched = Arc::clone(&self.watched);
+        for (index, watched) in watched.iter().enumerate() {
             let Ok(value) = station.read(&watched.operand) else { continue };
-            if value != watched.value {
-                let values = format!("{}→{}", watched.show(watched.value), watched.show(value));
-                seen.push(Event::Change { address: watched.address.clone(), values, comment: watched.comment.clone() });
-                watched.value = value;
+            let before = std::mem::replace(&mut self.values[index], value);
+            if value != before {
+                let values = format!("{}→{}", watched.show(before), watched.show(value));
+                let event = Event::Change { address: watched.address.clone(), values, comment: watched.comment.clone() };
+                self.push(Entry { scan, time_ms, event });
             }
         }
-        seen.into_iter().for_each(|event| self.push(Entry { scan, time_ms, event }));
     }
 
     /// Adds an entry and forgets the oldest beyond [`KEPT`].
@@ -113,13 +111,19 @@ impl Changes {
         if self.entries.len() == KEPT {
             self.entries.pop_front();
         }
-        self.entries.push_back(entry);
+        self.entries.push_back(Arc::new(entry));
         self.count += 1;
     }
 
-    /// The operand with this address, in English letters.
-    pub(crate) fn watched(&self, address: &str) -> Option<&Watched> {
-        self.watched.iter().find(|watched| watched.address == address)
+    /// How many entries there is memory for.
+    #[cfg(test)]
+    pub(crate) fn room(&self) -> usize {
+        self.entries.capacity()
+    }
+
+    /// The newest entries that are kept, so many at most, the oldest of them first.
+    pub(crate) fn newest(&self, most: usize) -> impl Iterator<Item = &Arc<Entry>> {
+        self.entries.iter().skip(self.entries.len().saturating_sub(most))
     }
 }
 

@@ -8,11 +8,13 @@ use ratatui::text::{Line as TextLine, Span};
 use ratatui::widgets::{Paragraph, Wrap};
 use sieben_cpu::OperatingMode;
 use sieben_sim::devices::dosing::Button;
+use sieben_workspace::Speed;
 
 use super::changes::{Entry, Event, clock, thousands};
 use super::digits::{self, Cell};
 use super::listing::Line;
-use super::session::{CYCLE_US, Session};
+use super::operator::CYCLE_US;
+use super::picture::Picture;
 use crate::palette::{Lit, Palette};
 
 /// Smallest terminal that the picture fits into.
@@ -26,21 +28,8 @@ const PLANT_HEIGHT: u16 = 13;
 /// Eighths of a cell, for levels.
 const EIGHTHS: [char; 9] = [' ', '▁', '▂', '▃', '▄', '▅', '▆', '▇', '█'];
 
-/// How the demo is shown.
-#[derive(Clone, Debug)]
-pub(crate) struct View {
-    /// The plant stands still.
-    pub(crate) paused: bool,
-    /// How fast time goes: `1×`.
-    pub(crate) speed: String,
-    /// What the computer needs for a scan, in microseconds.
-    pub(crate) scan_us: Option<f64>,
-    /// Its colours.
-    pub(crate) palette: Palette,
-}
-
 /// Draws everything, or a request for more room.
-pub(crate) fn draw(frame: &mut Frame<'_>, session: &Session, view: &View) {
+pub(crate) fn draw(frame: &mut Frame<'_>, picture: &Picture<'_>, palette: Palette) {
     let area = frame.area();
     if area.width < MIN_WIDTH || area.height < MIN_HEIGHT {
         let text = format!(
@@ -53,82 +42,84 @@ pub(crate) fn draw(frame: &mut Frame<'_>, session: &Session, view: &View) {
     let [header, body, keys] = Layout::vertical([Constraint::Length(1), Constraint::Fill(1), Constraint::Length(1)]).areas(area);
     let [left, right] = Layout::horizontal([Constraint::Length(PLANT_WIDTH), Constraint::Fill(1)]).areas(body);
     let [plant, log] = Layout::vertical([Constraint::Length(PLANT_HEIGHT), Constraint::Fill(1)]).areas(left);
-    draw_header(frame, header, session, view);
-    draw_plant(frame, plant, session, view);
-    draw_changes(frame, log, session, view);
-    draw_program(frame, right, session, view);
-    draw_keys(frame, keys, view);
+    draw_header(frame, header, picture, palette);
+    draw_plant(frame, plant, picture, palette);
+    draw_changes(frame, log, picture, palette);
+    draw_program(frame, right, picture, palette);
+    draw_keys(frame, keys, picture, palette);
 }
 
-fn draw_header(frame: &mut Frame<'_>, area: Rect, session: &Session, view: &View) {
+fn draw_header(frame: &mut Frame<'_>, area: Rect, picture: &Picture<'_>, palette: Palette) {
     let bold = Style::new().add_modifier(Modifier::BOLD);
-    let mode = session.cpu().mode();
+    let mode = picture.mode;
     let running = mode == OperatingMode::Run;
-    let led = |on: bool, colour: Color| view.palette.led(Lit::when(on), colour);
+    let led = |on: bool, colour: Color| palette.led(Lit::when(on), colour);
     let left = TextLine::from(vec![
         Span::styled(" Sieben", bold),
         Span::raw("  dosing of a liquid  "),
-        Span::styled("│ ", view.palette.faint()),
-        Span::raw(format!("CPU {}  ", session.cpu().cpu_type().name)),
+        Span::styled("│ ", palette.faint()),
+        Span::raw(format!("CPU {}  ", picture.cpu_type.name)),
         led(running, Color::Green),
         Span::raw(" RUN "),
         led(!running, Color::Yellow),
         Span::raw(" STOP"),
     ]);
-    let speed = if view.paused { "paused".to_owned() } else { view.speed.clone() };
-    let right = TextLine::from(vec![Span::raw(format!("{}  ", clock(session.time_ms()))), Span::styled(format!("{speed} "), bold)]);
+    let speed = match picture.speed {
+        _ if picture.paused => "paused".to_owned(),
+        Speed::Factor(factor) => format!("{factor}×"),
+        Speed::Max => "max".to_owned(),
+    };
+    let right = TextLine::from(vec![Span::raw(format!("{}  ", clock(picture.time_ms))), Span::styled(format!("{speed} "), bold)]);
     frame.render_widget(Paragraph::new(left), area);
     frame.render_widget(Paragraph::new(right.right_aligned()), area);
 }
 
-fn draw_keys(frame: &mut Frame<'_>, area: Rect, view: &View) {
+fn draw_keys(frame: &mut Frame<'_>, area: Rect, picture: &Picture<'_>, palette: Palette) {
     let keys = [
         ("s", "START"),
         ("x", "STOP"),
         ("f", "fault"),
         ("m", "CPU"),
         ("a", "auto"),
-        ("p", if view.paused { "go on" } else { "pause" }),
+        ("p", if picture.paused { "go on" } else { "pause" }),
         ("n", "step"),
         ("+ -", "speed"),
         ("q", "quit"),
     ];
-    frame.render_widget(Paragraph::new(view.palette.keys(&keys)), area);
+    frame.render_widget(Paragraph::new(palette.keys(&keys)), area);
 }
 
 /// The words under the plant: what a user can do now.
-fn hint(session: &Session) -> String {
-    let plant = session.plant();
-    if session.cpu().mode() != OperatingMode::Run {
+fn hint(picture: &Picture<'_>) -> String {
+    if picture.mode != OperatingMode::Run {
         return " the CPU is in STOP: m starts it ".to_owned();
     }
-    if plant.meter_failed && plant.tank.valve_open() {
+    if picture.dosing.meter_failed && picture.dosing.tank.valve_open() {
         return " no pulses, nobody counts: x stops it ".to_owned();
     }
-    if plant.tank.valve_open() {
+    if picture.dosing.tank.valve_open() {
         return " dosing … what if the meter fails? f ".to_owned();
     }
-    match session.seconds_to_story() {
+    match picture.seconds_to_story {
         Some(seconds) => format!(" press s for START, or wait {seconds} s "),
         None => " press s for START ".to_owned(),
     }
 }
 
-fn draw_plant(frame: &mut Frame<'_>, area: Rect, session: &Session, view: &View) {
-    let block = view.palette.frame(" Plant ").title_bottom(TextLine::from(hint(session)).style(view.palette.colour(Color::Cyan)));
+fn draw_plant(frame: &mut Frame<'_>, area: Rect, picture: &Picture<'_>, palette: Palette) {
+    let block = palette.frame(" Plant ").title_bottom(TextLine::from(hint(picture)).style(palette.colour(Color::Cyan)));
     let inner = block.inner(area);
     frame.render_widget(block, area);
     let buffer = frame.buffer_mut();
-    draw_tank(buffer, inner, session, view);
-    draw_display(buffer, inner.x + 16, inner.y, session, view);
-    draw_signals(buffer, inner.x + 16, inner.y + 6, session, view);
+    draw_tank(buffer, inner, picture, palette);
+    draw_display(buffer, inner.x + 16, inner.y, picture, palette);
+    draw_signals(buffer, inner.x + 16, inner.y + 6, picture, palette);
 }
 
 /// Tank, valve, flow meter and container, one above the other.
-fn draw_tank(buffer: &mut Buffer, area: Rect, session: &Session, view: &View) {
-    let plant = session.plant();
-    let tank = &plant.tank;
-    let water = view.palette.colour(Color::Blue);
+fn draw_tank(buffer: &mut Buffer, area: Rect, picture: &Picture<'_>, palette: Palette) {
+    let tank = &picture.dosing.tank;
+    let water = palette.colour(Color::Blue);
     let wall = Style::new();
     let (x, y) = (area.x + 1, area.y);
     let supply = f64::from(tank.settings().supply_litres);
@@ -137,15 +128,15 @@ fn draw_tank(buffer: &mut Buffer, area: Rect, session: &Session, view: &View) {
     buffer.set_string(x, y + 4, "╰────┬─┬────╯", wall);
 
     let open = tank.valve_open();
-    let (valve, style) = if open { ("▶═◀", view.palette.colour(Color::Green)) } else { ("▶│◀", view.palette.faint()) };
+    let (valve, style) = if open { ("▶═◀", palette.colour(Color::Green)) } else { ("▶│◀", palette.faint()) };
     buffer.set_string(x + 5, y + 5, valve, style.add_modifier(Modifier::BOLD));
-    buffer.set_string(x, y + 5, "Y1", view.palette.faint());
+    buffer.set_string(x, y + 5, "Y1", palette.faint());
     // The wheel of the flow meter turns a quarter with every half litre.
     let wheel = ["◐", "◓", "◑", "◒"][(tank.litres_delivered() * 2.0) as usize % 4];
-    let meter = if plant.meter_failed { view.palette.colour(Color::Red) } else { Style::new() };
-    buffer.set_string(x, y + 6, "B1", view.palette.faint());
+    let meter = if picture.dosing.meter_failed { palette.colour(Color::Red) } else { Style::new() };
+    buffer.set_string(x, y + 6, "B1", palette.faint());
     buffer.set_string(x + 5, y + 6, "│ │", wall);
-    buffer.set_string(x + 6, y + 6, if plant.meter_failed { "✗" } else { wheel }, meter);
+    buffer.set_string(x + 6, y + 6, if picture.dosing.meter_failed { "✗" } else { wheel }, meter);
 
     let capacity = f64::from(tank.settings().vessel_litres);
     let container = Rect::new(x + 2, y + 7, 9, 3);
@@ -176,9 +167,9 @@ fn vessel(buffer: &mut Buffer, area: Rect, level: f64, (wall, water): (Style, St
     }
 }
 
-fn draw_display(buffer: &mut Buffer, x: u16, y: u16, session: &Session, view: &View) {
-    let lit = view.palette.colour(Color::LightRed).add_modifier(Modifier::BOLD);
-    let word = session.plant().tank.display();
+fn draw_display(buffer: &mut Buffer, x: u16, y: u16, picture: &Picture<'_>, palette: Palette) {
+    let lit = palette.colour(Color::LightRed).add_modifier(Modifier::BOLD);
+    let word = picture.dosing.tank.display();
     for (position, digit) in digits::of_word(word).into_iter().enumerate() {
         for row in 0..digits::HEIGHT {
             let text: String = digits::row(digit, row).into_iter().map(|cell| if cell == Cell::Lit { '█' } else { ' ' }).collect();
@@ -188,16 +179,16 @@ fn draw_display(buffer: &mut Buffer, x: u16, y: u16, session: &Session, view: &V
     buffer.set_string(
         x,
         y + 5,
-        format!("QW 4 {word:04X}   C 0 {:>3}", session.changes.watched("C 0").map_or(0, |watched| watched.value)),
-        view.palette.faint(),
+        format!("QW 4 {word:04X}   C 0 {:>3}", picture.watched("C 0").map_or(0, |(_, count)| count)),
+        palette.faint(),
     );
 }
 
 /// The inputs with their keys, and the outputs.
-fn draw_signals(buffer: &mut Buffer, x: u16, y: u16, session: &Session, view: &View) {
-    let tank = &session.plant().tank;
+fn draw_signals(buffer: &mut Buffer, x: u16, y: u16, picture: &Picture<'_>, palette: Palette) {
+    let tank = &picture.dosing.tank;
     let pressed = |button: Button| if tank.is_pressed(button) { "pressed" } else { "" };
-    let meter = if session.plant().meter_failed { "failed" } else { "" };
+    let meter = if picture.dosing.meter_failed { "failed" } else { "" };
     let rows = [
         ("I 0.0", "s", pressed(Button::Start)),
         ("I 0.1", "x", pressed(Button::Stop)),
@@ -207,75 +198,74 @@ fn draw_signals(buffer: &mut Buffer, x: u16, y: u16, session: &Session, view: &V
     ];
     for (row, (address, key, state)) in rows.into_iter().enumerate() {
         let y = y + row as u16;
-        let Some(watched) = session.changes.watched(address) else { continue };
-        let (symbol, on) = (&watched.symbol, watched.value == 1);
-        let (lamp, style) = if on { ("●", view.palette.colour(Color::Green)) } else { ("○", view.palette.faint()) };
+        let Some((watched, value)) = picture.watched(address) else { continue };
+        let (symbol, on) = (&watched.symbol, value == 1);
+        let (lamp, style) = if on { ("●", palette.colour(Color::Green)) } else { ("○", palette.faint()) };
         buffer.set_string(x, y, address, Style::new());
         buffer.set_string(x + 6, y, lamp, style);
         buffer.set_string(x + 8, y, symbol, Style::new());
-        buffer.set_string(x + 14, y, key, view.palette.colour(Color::Cyan).add_modifier(Modifier::BOLD));
-        buffer.set_string(x + 16, y, state, view.palette.faint());
+        buffer.set_string(x + 14, y, key, palette.colour(Color::Cyan).add_modifier(Modifier::BOLD));
+        buffer.set_string(x + 16, y, state, palette.faint());
     }
 }
 
-fn draw_changes(frame: &mut Frame<'_>, area: Rect, session: &Session, view: &View) {
-    let block = view.palette.frame(" What changed ");
+fn draw_changes(frame: &mut Frame<'_>, area: Rect, picture: &Picture<'_>, palette: Palette) {
+    let block = palette.frame(" What changed ");
     let room = usize::from(block.inner(area).height);
-    let entries = &session.changes.entries;
+    let entries = &picture.entries;
     let mut last = None;
     let shown = entries.iter().skip(entries.len().saturating_sub(room));
-    let lines: Vec<TextLine<'_>> = shown.map(|entry| change_line(entry, last.replace(entry.scan), view)).collect();
+    let lines: Vec<TextLine<'_>> = shown.map(|entry| change_line(entry, last.replace(entry.scan), palette)).collect();
     frame.render_widget(Paragraph::new(lines).block(block), area);
 }
 
 /// An entry; its scan is written only where it differs from the one above.
-fn change_line<'a>(entry: &'a Entry, above: Option<u64>, view: &View) -> TextLine<'a> {
+fn change_line<'a>(entry: &'a Entry, above: Option<u64>, palette: Palette) -> TextLine<'a> {
     let scan = if above == Some(entry.scan) { String::new() } else { thousands(entry.scan) };
-    let scan = Span::styled(format!("{scan:>7} "), view.palette.faint());
+    let scan = Span::styled(format!("{scan:>7} "), palette.faint());
     match &entry.event {
         Event::Change { address, values, comment } => TextLine::from(vec![
             scan,
             Span::raw(format!("{address} ")),
             Span::styled(values.as_str(), Style::new().add_modifier(Modifier::BOLD)),
             Span::raw(" "),
-            Span::styled(comment.as_str(), view.palette.faint()),
+            Span::styled(comment.as_str(), palette.faint()),
         ]),
-        Event::Note(text) => TextLine::from(vec![scan, Span::styled(text.as_str(), view.palette.colour(Color::Yellow))]),
+        Event::Note(text) => TextLine::from(vec![scan, Span::styled(text.as_str(), palette.colour(Color::Yellow))]),
     }
 }
 
-fn draw_program(frame: &mut Frame<'_>, area: Rect, session: &Session, view: &View) {
-    let times = session.cpu().cycle_times();
-    let cycle = if times.last == 0 { CYCLE_US } else { times.last };
-    let needs = view.scan_us.map_or(String::new(), |us| format!("· {us:.0} µs a scan "));
-    let status = format!(" scan {}  cycle {} ms ", thousands(session.scans()), cycle / 1_000);
-    let block = view.palette.frame(format!(" OB 1 {needs}")).title_bottom(TextLine::from(status));
+fn draw_program(frame: &mut Frame<'_>, area: Rect, picture: &Picture<'_>, palette: Palette) {
+    let cycle = if picture.cycle_us == 0 { CYCLE_US } else { picture.cycle_us };
+    let needs = picture.scan_us.map_or(String::new(), |us| format!("· {us:.0} µs a scan "));
+    let status = format!(" scan {}  cycle {} ms ", thousands(picture.scans), cycle / 1_000);
+    let block = palette.frame(format!(" OB 1 {needs}")).title_bottom(TextLine::from(status));
     let inner = block.inner(area);
     // Titles of networks need five more lines.
-    let titles = usize::from(inner.height) > session.lines.len();
+    let titles = usize::from(inner.height) > picture.lines.len();
     let symbol_width = usize::from(inner.width).saturating_sub(27).min(24);
-    let mut lines = vec![TextLine::styled(format!("{:<width$}STA RLO ACCU 1", "", width = 13 + symbol_width), view.palette.faint())];
-    for line in &session.lines {
+    let mut lines = vec![TextLine::styled(format!("{:<width$}STA RLO ACCU 1", "", width = 13 + symbol_width), palette.faint())];
+    for line in picture.lines {
         match line {
-            Line::Network(title) if titles => lines.push(TextLine::styled(format!("// {title}"), view.palette.faint())),
+            Line::Network(title) if titles => lines.push(TextLine::styled(format!("// {title}"), palette.faint())),
             Line::Network(_) => {}
             Line::Statement { index, mnemonic, operand, symbol } => {
                 let symbol: String = symbol.chars().take(symbol_width).collect();
                 let text = format!("  {mnemonic:<3} {operand:<6}{symbol:<symbol_width$}");
-                let Some(seen) = session.seen(*index) else {
-                    lines.push(TextLine::styled(text, view.palette.faint()));
+                let Some(seen) = picture.seen(*index) else {
+                    lines.push(TextLine::styled(text, palette.faint()));
                     continue;
                 };
-                let on = view.palette.colour(Color::Green).add_modifier(Modifier::BOLD);
-                let bit = |value: bool| Span::styled(if value { "1" } else { "0" }, if value { on } else { view.palette.faint() });
-                let style = if seen.rlo { view.palette.colour(Color::Green) } else { Style::new() };
+                let on = palette.colour(Color::Green).add_modifier(Modifier::BOLD);
+                let bit = |value: bool| Span::styled(if value { "1" } else { "0" }, if value { on } else { palette.faint() });
+                let style = if seen.rlo { palette.colour(Color::Green) } else { Style::new() };
                 lines.push(TextLine::from(vec![
                     Span::styled(text, style),
                     Span::raw("  "),
                     bit(seen.sta),
                     Span::raw("   "),
                     bit(seen.rlo),
-                    Span::styled(format!("   {:04X}", seen.accu1 & 0xFFFF), view.palette.faint()),
+                    Span::styled(format!("   {:04X}", seen.accu1 & 0xFFFF), palette.faint()),
                 ]));
             }
         }
@@ -285,57 +275,76 @@ fn draw_program(frame: &mut Frame<'_>, area: Rect, session: &Session, view: &Vie
 
 #[cfg(test)]
 mod tests {
-    use super::super::session::Action;
+    use super::super::operator::Action;
+    use super::super::picture::Viewer;
+    use super::super::session::Session;
     use super::*;
     use ratatui::Terminal;
     use ratatui::backend::TestBackend;
 
-    fn screen(session: &Session, width: u16, height: u16) -> String {
-        let view = View { paused: false, speed: "1×".into(), scan_us: None, palette: Palette::Colours };
+    fn screen(picture: &Picture<'_>, width: u16, height: u16) -> String {
         let mut terminal = Terminal::new(TestBackend::new(width, height)).expect("a backend in memory");
-        terminal.draw(|frame| draw(frame, session, &view)).expect("a backend in memory");
+        terminal.draw(|frame| draw(frame, picture, Palette::Colours)).expect("a backend in memory");
         terminal.backend().to_string()
     }
 
-    fn after(seconds: u64, actions: &[Action]) -> Session {
-        let mut session = Session::new();
-        actions.iter().for_each(|&action| session.act(action));
-        for _ in 0..seconds * 1_000_000 / CYCLE_US {
-            session.scan(true);
-        }
-        session
+    /// A picture after so much time. What depends on the computer is left out.
+    fn after<'s>(session: &'s Session, seconds: u64, actions: &[Action]) -> Picture<'s> {
+        actions.iter().for_each(|&action| session.act(action).expect("the gate is open"));
+        session.steps(seconds * 1_000_000 / CYCLE_US - 1);
+        let mut viewer = Viewer::new(session);
+        session.steps(1);
+        session.desk.replay(|| session.desk.number() > 0);
+        let mut picture = viewer.picture(30).expect("the gate is open");
+        (picture.paused, picture.scan_us) = (false, None);
+        picture
     }
 
     #[test]
     fn the_screen_shows_a_dose_on_its_way() {
-        insta::assert_snapshot!(screen(&after(7, &[]), 80, 24));
+        insta::assert_snapshot!(screen(&after(&Session::in_steps(), 7, &[]), 80, 24));
     }
 
     #[test]
     fn the_picture_in_the_readme_is_what_the_screen_shows() {
         let readme = include_str!("../../../../README.md");
         let picture = readme.split("```text\n").nth(1).and_then(|rest| rest.split("```").next()).expect("a picture in the README");
-        let screen = screen(&after(7, &[]), 80, 24);
+        let session = Session::in_steps();
+        let screen = screen(&after(&session, 7, &[]), 80, 24);
         let shown: Vec<&str> = screen.lines().map(|line| line.trim_matches('"').trim_end()).collect();
         assert_eq!(picture.lines().collect::<Vec<_>>(), shown);
     }
 
     #[test]
     fn a_larger_terminal_shows_the_networks_too() {
-        insta::assert_snapshot!(screen(&after(13, &[Action::Meter, Action::Push(Button::Start)]), 110, 30));
+        insta::assert_snapshot!(screen(&after(&Session::in_steps(), 13, &[Action::Meter, Action::Push(Button::Start)]), 110, 30));
+    }
+
+    #[test]
+    fn every_statement_is_listed_and_seen() {
+        let session = Session::in_steps();
+        let picture = after(&session, 1, &[]);
+        let index = |line: &Line| if let Line::Statement { index, .. } = line { Some(*index) } else { None };
+        let statements: Vec<u32> = picture.lines.iter().filter_map(index).collect();
+        assert_eq!((statements.len(), picture.lines.len()), (15, 20));
+        assert!(statements.iter().all(|&index| picture.seen(index).is_some()));
+        session.act(Action::Mode).expect("the gate is open");
+        let picture = { after(&session, 1, &[]) };
+        assert!(statements.iter().all(|&index| picture.seen(index).is_none()), "a CPU in STOP executes nothing");
     }
 
     #[test]
     fn a_small_terminal_is_asked_to_grow() {
-        let text = screen(&after(1, &[]), 79, 10);
+        let text = screen(&after(&Session::in_steps(), 1, &[]), 79, 10);
         assert!(text.contains("The demo needs 80 × 24 characters; this terminal has 79 × 10. Enlarge it,"), "{text}");
     }
 
     #[test]
     fn no_size_of_the_terminal_panics() {
-        let session = after(1, &[]);
+        let session = Session::in_steps();
+        let picture = after(&session, 1, &[]);
         for (width, height) in [(1, 1), (2, 50), (200, 1), (80, 24), (81, 25), (300, 100)] {
-            screen(&session, width, height);
+            screen(&picture, width, height);
         }
     }
 }

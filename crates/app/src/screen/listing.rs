@@ -1,7 +1,6 @@
-//! The program as a listing, and what its statements saw in the last scan.
+//! The program as a listing, and what is shown of its statements.
 
-use sieben_engine::machine::Machine;
-use sieben_engine::{Program, StatementEvent, Tracer};
+use sieben_engine::Program;
 use sieben_model::address::Operand;
 use sieben_model::block::BlockId;
 use sieben_model::mnemonics::Mnemonics;
@@ -26,14 +25,14 @@ pub(crate) enum Line {
     },
 }
 
-/// What a statement saw.
+/// What a statement left.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Seen {
     /// The bit that was scanned or written.
     pub(crate) sta: bool,
-    /// The result of the logic operation behind it.
+    /// The result of the logic operation after it.
     pub(crate) rlo: bool,
-    /// Accumulator 1 behind it.
+    /// Accumulator 1 after it.
     pub(crate) accu1: u32,
 }
 
@@ -67,24 +66,4 @@ pub(crate) fn lines(sources: &Sources, program: &Program, symbols: &SymbolTable)
         });
     }
     lines
-}
-
-/// Notes what the statements of OB 1 see in one scan.
-#[derive(Debug, Default)]
-pub(crate) struct Watch {
-    /// By statement; one that was not executed has `None`.
-    pub(crate) seen: Vec<Option<Seen>>,
-}
-
-impl Tracer for Watch {
-    fn statement(&mut self, _machine: &Machine, event: &StatementEvent) {
-        if event.place.block != BlockId::ob(1) {
-            return;
-        }
-        let index = event.place.statement as usize;
-        if index >= self.seen.len() {
-            self.seen.resize(index + 1, None);
-        }
-        self.seen[index] = Some(Seen { sta: event.after.sta == 1, rlo: event.after.rlo == 1, accu1: event.after.accu1 as u32 });
-    }
 }

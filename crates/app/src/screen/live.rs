@@ -1,26 +1,24 @@
-//! The demo live: keys in, pictures out, time from the computer's clock.
+//! The demo live: keys in, pictures out, while another thread scans.
 
 use std::io;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::Arc;
+use std::thread;
 use std::time::{Duration, Instant};
 
 use ratatui::DefaultTerminal;
-use ratatui::crossterm::event::{Event, KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
+use ratatui::crossterm::event::KeyCode;
 use sieben_sim::devices::dosing::Button;
+use sieben_workspace::{Closed, Speed};
 
-use super::draw::{self, View};
-use super::session::{Action, CYCLE_US, Session};
+use super::draw;
+use super::operator::Action;
+use super::picture::Viewer;
+use super::session::Session;
 use crate::palette::Palette;
-use crate::terminal::{self, Input};
+use crate::terminal::{self, Input, Key};
 
 /// Time between two pictures.
 const FRAME: Duration = Duration::from_millis(33);
-/// Scans between two pictures; a computer that does not keep up lets the plant go slower instead of hanging.
-const SCANS_PER_FRAME: u64 = 5_000;
-/// Longest work on scans between two pictures.
-const WORK: Duration = Duration::from_millis(25);
-/// The speeds that `+` and `-` step through.
-const SPEEDS: [f64; 10] = [0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0];
 
 /// What a key means.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,95 +31,82 @@ enum Command {
     Slower,
 }
 
-/// Takes over the terminal until the user quits, the time is up, the terminal goes or `interrupted` is set.
+/// Ends the scans when it goes, however the screen was left.
+struct Ending<'s>(&'s Session);
+
+impl Drop for Ending<'_> {
+    fn drop(&mut self) {
+        self.0.end();
+    }
+}
+
+/// Takes over the terminal until the user quits, the demo is over or the terminal goes. The scans end with it.
 ///
 /// # Errors
 /// The terminal does not work. It is restored in any case, also if we panic.
-pub(crate) fn run(session: &mut Session, speed: f64, time: Option<Duration>, palette: Palette, interrupted: &AtomicBool) -> io::Result<()> {
+pub(crate) fn run(session: &Session, palette: Palette) -> io::Result<()> {
     let mut display = ratatui::try_init()?;
-    let result = play(&mut display, session, speed, time, palette, interrupted);
+    let result = thread::scope(|scope| {
+        let _ending = Ending(session);
+        thread::Builder::new().name("scan".to_owned()).spawn_scoped(scope, || session.scan(&mut |_| {}))?;
+        let (gate, desk) = (Arc::clone(&session.gate), Arc::clone(&session.desk));
+        // It ends by itself when the gate is closed.
+        thread::Builder::new().name("status".to_owned()).spawn(move || desk.replay(|| gate.is_closed()))?;
+        play(&mut display, session, palette)
+    });
     terminal::restore(display);
     result
 }
 
-fn play(
-    display: &mut DefaultTerminal,
-    session: &mut Session,
-    mut speed: f64,
-    time: Option<Duration>,
-    palette: Palette,
-    interrupted: &AtomicBool,
-) -> io::Result<()> {
-    speed = speed.clamp(SPEEDS[0], SPEEDS[SPEEDS.len() - 1]);
-    let mut view = View { paused: false, speed: String::new(), scan_us: None, palette };
-    let mut last = Instant::now();
-    let mut due_us = 0.0;
+fn play(display: &mut DefaultTerminal, session: &Session, palette: Palette) -> io::Result<()> {
+    let mut viewer = Viewer::new(session);
     loop {
-        let over = time.is_some_and(|time| u128::from(session.time_ms()) >= time.as_millis());
-        if over || interrupted.load(Ordering::Relaxed) {
-            return Ok(());
-        }
-        let now = Instant::now();
-        if !view.paused {
-            due_us += (now - last).as_secs_f64() * 1e6 * speed;
-            due_us = scan(session, due_us, &mut view);
-        }
-        last = now;
-        view.speed = format!("{speed}×");
-        display.draw(|frame| draw::draw(frame, session, &view))?;
-        let mut wait = FRAME.saturating_sub(now.elapsed());
+        let began = Instant::now();
+        let Ok(picture) = viewer.picture(usize::from(display.size()?.height)) else { return Ok(()) };
+        display.draw(|frame| draw::draw(frame, &picture, palette))?;
+        let mut wait = FRAME.saturating_sub(began.elapsed());
         loop {
-            let event = match terminal::input(wait)? {
+            let key = match terminal::input(wait)? {
                 Input::Gone => return Ok(()),
-                Input::Nothing => break,
-                Input::Event(event) => event,
+                Input::Nothing | Input::Resized => break,
+                Input::Key(key) => key,
             };
             wait = Duration::ZERO;
-            let Event::Key(key) = event else { continue };
-            match command(key) {
-                None => {}
-                Some(Command::Quit) => return Ok(()),
-                Some(Command::Act(action)) => session.act(action),
-                Some(Command::Pause) => view.paused = !view.paused,
-                Some(Command::OneScan) => {
-                    view.paused = true;
-                    session.scan(true);
-                }
-                Some(Command::Faster) => speed = SPEEDS.into_iter().find(|&next| next > speed).unwrap_or(speed),
-                Some(Command::Slower) => speed = SPEEDS.into_iter().rev().find(|&next| next < speed).unwrap_or(speed),
+            let Some(command) = command(key) else { continue };
+            if command == Command::Quit || carry_out(session, command).is_err() {
+                return Ok(());
             }
         }
     }
 }
 
-/// Runs the scans that are due and gives the time that is left over.
-fn scan(session: &mut Session, due_us: f64, view: &mut View) -> f64 {
-    let cycle = CYCLE_US as f64;
-    let wanted = ((due_us / cycle) as u64).min(SCANS_PER_FRAME);
-    let begin = Instant::now();
-    for done in 0..wanted {
-        let last = done + 1 == wanted || begin.elapsed() > WORK;
-        session.scan(last);
-        if last {
-            let us = begin.elapsed().as_secs_f64() * 1e6 / (done + 1) as f64;
-            // Smoothed, so that the number can be read.
-            view.scan_us = Some(view.scan_us.map_or(us, |before| before * 0.9 + us * 0.1));
-            break;
-        }
+/// Does what a key means.
+fn carry_out(session: &Session, command: Command) -> Result<(), Closed> {
+    let gate = &session.gate;
+    match command {
+        Command::Quit => Ok(()),
+        Command::Act(action) => session.act(action),
+        // The scan after which time stands still is the one whose status is shown.
+        Command::Pause => gate.command(|plant| match plant.pace.is_paused() {
+            true => plant.pace.go(gate.now_us()),
+            false => plant.pace.step(1, gate.now_us()),
+        }),
+        Command::OneScan => gate.command(|plant| plant.pace.step(1, gate.now_us())),
+        Command::Faster | Command::Slower => gate.command(|plant| {
+            let now = plant.pace.speed();
+            let next = if command == Command::Faster { now.faster() } else { now.slower() };
+            // As fast as it goes is too fast to look at.
+            if next != Speed::Max {
+                plant.pace.set_speed(next, gate.now_us());
+            }
+        }),
     }
-    due_us % cycle
 }
 
-fn command(key: KeyEvent) -> Option<Command> {
-    if key.kind == KeyEventKind::Release {
-        return None;
-    }
-    let control = key.modifiers.contains(KeyModifiers::CONTROL);
-    match key.code {
-        KeyCode::Char('c' | 'd') if control => Some(Command::Quit),
-        KeyCode::Char(_) if control => None,
-        KeyCode::Esc => Some(Command::Quit),
-        KeyCode::Char(character) => match character.to_ascii_lowercase() {
+fn command(key: Key) -> Option<Command> {
+    match key {
+        Key::Leave | Key::Plain(KeyCode::Esc) => Some(Command::Quit),
+        Key::Plain(KeyCode::Char(character)) => match character.to_ascii_lowercase() {
             'q' => Some(Command::Quit),
             's' => Some(Command::Act(Action::Push(Button::Start))),
             'x' => Some(Command::Act(Action::Push(Button::Stop))),
@@ -136,7 +121,7 @@ fn command(key: KeyEvent) -> Option<Command> {
             '-' => Some(Command::Slower),
             _ => None,
         },
-        _ => None,
+        Key::Plain(_) => None,
     }
 }
 
@@ -146,23 +131,34 @@ mod tests {
 
     #[test]
     fn every_way_to_leave_is_known() {
-        for (code, modifiers) in [
-            (KeyCode::Char('q'), KeyModifiers::NONE),
-            (KeyCode::Char('Q'), KeyModifiers::SHIFT),
-            (KeyCode::Char('c'), KeyModifiers::CONTROL),
-            (KeyCode::Esc, KeyModifiers::NONE),
-        ] {
-            assert_eq!(command(KeyEvent::new(code, modifiers)), Some(Command::Quit));
+        for key in [Key::Leave, Key::Plain(KeyCode::Esc), Key::Plain(KeyCode::Char('q')), Key::Plain(KeyCode::Char('Q'))] {
+            assert_eq!(command(key), Some(Command::Quit));
         }
-        assert_eq!(command(KeyEvent::new(KeyCode::Char('s'), KeyModifiers::CONTROL)), None);
+        assert_eq!(command(Key::Plain(KeyCode::Enter)), None);
     }
 
     #[test]
-    fn a_picture_takes_bounded_work_at_any_speed() {
-        let mut session = Session::new();
-        let mut view = View { paused: false, speed: String::new(), scan_us: None, palette: Palette::Plain };
-        let rest = scan(&mut session, 1e15, &mut view);
-        assert!(session.scans() <= SCANS_PER_FRAME && rest < CYCLE_US as f64);
-        assert!(view.scan_us.is_some());
+    fn keys_come_in_through_the_gate() {
+        let session = Session::in_steps();
+        let press = |letter| {
+            let command = command(Key::Plain(KeyCode::Char(letter))).expect("a key of the demo");
+            carry_out(&session, command).expect("the gate is open");
+        };
+        let pace = || session.gate.enter(|plant| plant.pace.clone()).expect("the gate is open");
+        press('n');
+        assert_eq!(pace().steps_left(), 1);
+        press('p');
+        assert!(!pace().is_paused());
+        press('p');
+        assert!(pace().is_paused() && pace().steps_left() == 1, "one scan more, whose status is recorded");
+        (0..20).for_each(|_| press('+'));
+        assert_eq!(pace().speed(), Speed::Factor(100.0));
+        (0..20).for_each(|_| press('-'));
+        assert_eq!(pace().speed(), Speed::Factor(0.1));
+        session.gate.enter(|plant| plant.pace.set_speed(Speed::Max, 0)).expect("the gate is open");
+        press('+');
+        assert_eq!(pace().speed(), Speed::Max, "set from outside");
+        press('-');
+        assert_eq!(pace().speed(), Speed::Factor(100.0));
     }
 }

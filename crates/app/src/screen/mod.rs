@@ -5,9 +5,12 @@ mod digits;
 mod draw;
 mod listing;
 mod live;
+mod operator;
+mod picture;
 mod plant;
 mod session;
 
 pub(crate) use changes::{Entry, Event, clock, thousands};
 pub(crate) use live::run;
-pub(crate) use session::{CYCLE_US, Session};
+pub(crate) use operator::CYCLE_US;
+pub(crate) use session::{Outcome, Session};

@@ -9,15 +9,15 @@ use sieben_sim::devices::dosing::{DosingPlant, DosingSettings};
 const METER: u8 = 0x80;
 
 /// The tank and the state of its flow meter.
-#[derive(Debug)]
-pub(crate) struct Plant {
+#[derive(Clone, Debug)]
+pub(crate) struct DosingTank {
     /// The tank.
     pub(crate) tank: DosingPlant,
     /// The flow meter gives no pulses.
     pub(crate) meter_failed: bool,
 }
 
-impl Plant {
+impl DosingTank {
     /// A full tank, an empty container, a sound flow meter.
     pub(crate) fn new() -> Self {
         let settings = DosingSettings {
@@ -31,7 +31,10 @@ impl Plant {
     }
 }
 
-impl IoModule for Plant {
+impl IoModule for DosingTank {
+    fn copy(&self) -> Option<Box<dyn IoModule>> {
+        Some(Box::new(self.clone()))
+    }
     fn name(&self) -> &str {
         self.tank.name()
     }

@@ -1,7 +1,9 @@
 //! What the keys of the microscope mean.
 
-use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
+use ratatui::crossterm::event::KeyCode;
 use sieben_workspace::session::{Direction, Unit};
+
+use crate::terminal::Key;
 
 /// What a key means.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,16 +47,14 @@ pub(super) enum Command {
 }
 
 /// The command of a key; `typing` while a command line is open.
-pub(super) fn command(key: KeyEvent, typing: bool) -> Option<Command> {
+pub(super) fn command(key: Key, typing: bool) -> Option<Command> {
     use Direction::{Back, Forward};
-    if key.kind == KeyEventKind::Release {
-        return None;
-    }
-    if key.modifiers.contains(KeyModifiers::CONTROL) {
-        return matches!(key.code, KeyCode::Char('c' | 'd')).then_some(Command::Quit);
-    }
+    let code = match key {
+        Key::Leave => return Some(Command::Quit),
+        Key::Plain(code) => code,
+    };
     if typing {
-        return match key.code {
+        return match code {
             KeyCode::Char(character) => Some(Command::Type(character)),
             KeyCode::Backspace => Some(Command::Erase),
             KeyCode::Enter => Some(Command::Enter),
@@ -62,7 +62,7 @@ pub(super) fn command(key: KeyEvent, typing: bool) -> Option<Command> {
             _ => None,
         };
     }
-    Some(match key.code {
+    Some(match code {
         KeyCode::Char(letter) => {
             let direction = if letter.is_ascii_uppercase() { Back } else { Forward };
             match letter.to_ascii_lowercase() {
@@ -109,7 +109,7 @@ mod tests {
     use super::*;
 
     fn press(code: KeyCode) -> Option<Command> {
-        command(KeyEvent::new(code, KeyModifiers::NONE), false)
+        command(Key::Plain(code), false)
     }
 
     #[test]
@@ -124,13 +124,12 @@ mod tests {
 
     #[test]
     fn control_c_leaves_even_while_typing() {
-        let key = KeyEvent::new(KeyCode::Char('c'), KeyModifiers::CONTROL);
-        assert_eq!([command(key, false), command(key, true)], [Some(Command::Quit); 2]);
+        assert_eq!([command(Key::Leave, false), command(Key::Leave, true)], [Some(Command::Quit); 2]);
     }
 
     #[test]
     fn while_typing_letters_are_letters() {
-        let key = |code| command(KeyEvent::new(code, KeyModifiers::NONE), true);
+        let key = |code| command(Key::Plain(code), true);
         assert_eq!(key(KeyCode::Char('q')), Some(Command::Type('q')));
         assert_eq!(key(KeyCode::Esc), Some(Command::Cancel));
         assert_eq!(key(KeyCode::Up), None);

@@ -12,7 +12,6 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use ratatui::DefaultTerminal;
-use ratatui::crossterm::event::Event;
 use sieben_workspace::session::Session;
 
 use crate::terminal::{self, Input};
@@ -45,15 +44,15 @@ fn play(display: &mut DefaultTerminal, session: &mut Session, mut screen: Screen
             }
             match terminal::input(WAIT)? {
                 Input::Gone => return Ok(()),
-                Input::Event(Event::Key(key)) => {
+                Input::Key(key) => {
                     let Some(command) = keys::command(key, screen.is_typing()) else { continue };
                     if screen.act(session, command, rows) {
                         return Ok(());
                     }
                     break;
                 }
-                Input::Event(Event::Resize(..)) => break,
-                Input::Event(_) | Input::Nothing => {}
+                Input::Resized => break,
+                Input::Nothing => {}
             }
         }
     }

@@ -5,14 +5,14 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use ratatui::DefaultTerminal;
-use ratatui::crossterm::event::{Event, KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
+use ratatui::crossterm::event::KeyCode;
 use serde_json::json;
 use sieben_workspace::Speed;
 
 use super::draw;
 use super::look::{Look, Onlooker};
 use crate::palette::Palette;
-use crate::terminal::{self, Input};
+use crate::terminal::{self, Input, Key};
 
 /// Time between two looks.
 const FRAME: Duration = Duration::from_millis(100);
@@ -20,21 +20,6 @@ const FRAME: Duration = Duration::from_millis(100);
 const BLOCKS: Duration = Duration::from_secs(2);
 /// How long a message stays.
 const MESSAGE: Duration = Duration::from_secs(5);
-/// The speeds that `+` and `-` step through.
-const SPEEDS: [Speed; 11] = [
-    Speed::Factor(0.1),
-    Speed::Factor(0.25),
-    Speed::Factor(0.5),
-    Speed::Factor(1.0),
-    Speed::Factor(2.0),
-    Speed::Factor(5.0),
-    Speed::Factor(10.0),
-    Speed::Factor(20.0),
-    Speed::Factor(50.0),
-    Speed::Factor(100.0),
-    Speed::Max,
-];
-
 /// How the screen was left.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Left {
@@ -97,14 +82,13 @@ fn play(display: &mut DefaultTerminal, onlooker: &mut Onlooker, palette: Palette
         display.draw(|frame| draw::draw(frame, &look, palette, shown))?;
         let mut wait = FRAME.saturating_sub(began.elapsed());
         loop {
-            let event = match terminal::input(wait)? {
+            let key = match terminal::input(wait)? {
                 Input::Gone => return Ok(Left::ByUser),
-                Input::Nothing => break,
-                Input::Event(event) => event,
+                Input::Nothing | Input::Resized => break,
+                Input::Key(key) => key,
             };
             // The picture after a key comes at once.
             wait = Duration::ZERO;
-            let Event::Key(key) = event else { continue };
             match command(key) {
                 None => {}
                 Some(Command::Quit) => return Ok(Left::ByUser),
@@ -129,31 +113,16 @@ fn act(onlooker: &mut Onlooker, command: Command, look: &Look) -> io::Result<Opt
         Command::OneScan => onlooker.command("time", &time("step")),
         Command::Faster | Command::Slower => {
             let now = Speed::parse(look.word("speed")).unwrap_or(Speed::Factor(1.0));
-            onlooker.command("time", &json!({ "time": "speed", "speed": next_speed(now, command).to_string() }))
+            let next = if command == Command::Faster { now.faster() } else { now.slower() };
+            onlooker.command("time", &json!({ "time": "speed", "speed": next.to_string() }))
         }
     }
 }
 
-/// The next speed of the list; the first or the last one stays.
-pub(super) fn next_speed(now: Speed, command: Command) -> Speed {
-    let factor = |speed: Speed| if let Speed::Factor(factor) = speed { factor } else { f64::INFINITY };
-    let next = match command {
-        Command::Slower => SPEEDS.into_iter().rev().find(|&speed| factor(speed) < factor(now)),
-        _ => SPEEDS.into_iter().find(|&speed| factor(speed) > factor(now)),
-    };
-    next.unwrap_or(now)
-}
-
-pub(super) fn command(key: KeyEvent) -> Option<Command> {
-    if key.kind == KeyEventKind::Release {
-        return None;
-    }
-    let control = key.modifiers.contains(KeyModifiers::CONTROL);
-    match key.code {
-        KeyCode::Char('c' | 'd') if control => Some(Command::Quit),
-        KeyCode::Char(_) if control => None,
-        KeyCode::Esc => Some(Command::Quit),
-        KeyCode::Char(character) => match character.to_ascii_lowercase() {
+pub(super) fn command(key: Key) -> Option<Command> {
+    match key {
+        Key::Leave | Key::Plain(KeyCode::Esc) => Some(Command::Quit),
+        Key::Plain(KeyCode::Char(character)) => match character.to_ascii_lowercase() {
             'q' => Some(Command::Quit),
             'r' => Some(Command::Run),
             's' => Some(Command::Stop),
@@ -164,6 +133,6 @@ pub(super) fn command(key: KeyEvent) -> Option<Command> {
             '-' => Some(Command::Slower),
             _ => None,
         },
-        _ => None,
+        Key::Plain(_) => None,
     }
 }

@@ -65,7 +65,7 @@ fn items(answer: &Value) -> &[Value] {
 }
 
 impl Onlooker {
-    /// Somebody who watches these names.
+    /// A view of these names.
     pub(crate) fn new(client: Client, names: Vec<String>) -> Self {
         Self { client, names, entries: VecDeque::new(), newest: 0, blocks: Vec::new(), block_count: 0 }
     }

@@ -2,14 +2,14 @@
 
 use ratatui::Terminal;
 use ratatui::backend::TestBackend;
-use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
+use ratatui::crossterm::event::KeyCode;
 use serde_json::{Value, json};
-use sieben_workspace::Speed;
 
 use super::draw::draw;
-use super::live::{Command, command, next_speed};
+use super::live::{Command, command};
 use super::look::{BYTES, Look, Watched};
 use crate::palette::Palette;
+use crate::terminal::Key;
 
 fn look(state: Value) -> Look {
     let mut all = json!({
@@ -101,32 +101,21 @@ fn every_size_can_be_drawn() {
 
 #[test]
 fn every_key_has_its_meaning() {
-    for (code, modifiers, meant) in [
-        (KeyCode::Char('q'), KeyModifiers::NONE, Some(Command::Quit)),
-        (KeyCode::Char('c'), KeyModifiers::CONTROL, Some(Command::Quit)),
-        (KeyCode::Esc, KeyModifiers::NONE, Some(Command::Quit)),
-        (KeyCode::Char('s'), KeyModifiers::NONE, Some(Command::Stop)),
-        (KeyCode::Char('s'), KeyModifiers::CONTROL, None),
-        (KeyCode::Char('R'), KeyModifiers::SHIFT, Some(Command::Run)),
-        (KeyCode::Char('p'), KeyModifiers::NONE, Some(Command::Pause)),
-        (KeyCode::Char('g'), KeyModifiers::NONE, Some(Command::Go)),
-        (KeyCode::Char('n'), KeyModifiers::NONE, Some(Command::OneScan)),
-        (KeyCode::Char('+'), KeyModifiers::NONE, Some(Command::Faster)),
-        (KeyCode::Char('-'), KeyModifiers::NONE, Some(Command::Slower)),
-        (KeyCode::Enter, KeyModifiers::NONE, None),
+    for (key, meant) in [
+        (Key::Plain(KeyCode::Char('q')), Some(Command::Quit)),
+        (Key::Leave, Some(Command::Quit)),
+        (Key::Plain(KeyCode::Esc), Some(Command::Quit)),
+        (Key::Plain(KeyCode::Char('s')), Some(Command::Stop)),
+        (Key::Plain(KeyCode::Char('R')), Some(Command::Run)),
+        (Key::Plain(KeyCode::Char('p')), Some(Command::Pause)),
+        (Key::Plain(KeyCode::Char('g')), Some(Command::Go)),
+        (Key::Plain(KeyCode::Char('n')), Some(Command::OneScan)),
+        (Key::Plain(KeyCode::Char('+')), Some(Command::Faster)),
+        (Key::Plain(KeyCode::Char('-')), Some(Command::Slower)),
+        (Key::Plain(KeyCode::Enter), None),
     ] {
-        assert_eq!(command(KeyEvent::new(code, modifiers)), meant, "{code:?}");
+        assert_eq!(command(key), meant, "{key:?}");
     }
-}
-
-#[test]
-fn speeds_go_up_to_the_most_and_down_to_the_least() {
-    assert_eq!(next_speed(Speed::Factor(1.0), Command::Faster), Speed::Factor(2.0));
-    assert_eq!(next_speed(Speed::Factor(3.0), Command::Slower), Speed::Factor(2.0));
-    assert_eq!(next_speed(Speed::Factor(100.0), Command::Faster), Speed::Max);
-    assert_eq!(next_speed(Speed::Max, Command::Faster), Speed::Max);
-    assert_eq!(next_speed(Speed::Max, Command::Slower), Speed::Factor(100.0));
-    assert_eq!(next_speed(Speed::Factor(0.1), Command::Slower), Speed::Factor(0.1));
 }
 
 #[test]

@@ -11,7 +11,7 @@ use super::wire::codes::{ItemCode, Refusal};
 /// The rules that a server has for all its connections.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rules {
-    /// The CPU that is behind it: it says how long a PDU is.
+    /// The CPU that it serves: its type says how long a PDU is.
     pub cpu: &'static CpuType,
     /// The protection level of the CPU.
     pub protection: ProtectionLevel,

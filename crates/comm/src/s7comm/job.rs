@@ -270,7 +270,8 @@ pub enum Reply {
     Already,
 }
 
-/// A job that takes more than one entry of the gate. Whoever drops it before it has ended gives the job up: nothing of it may take effect later.
+/// A job that takes more than one entry of the gate. Dropping it before it has ended gives the job up: nothing of it takes
+/// effect later, except a start that was asked for.
 pub trait Pending: fmt::Debug + Send {
     /// Looks whether it has ended, and does what can be done now; `None` while it goes on. It is asked about every 5 ms, and
     /// [`super::session::PENDING_US_MAX`] after its beginning it is dropped and refused.

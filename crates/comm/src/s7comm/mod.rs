@@ -4,6 +4,7 @@
 //! time is an argument.
 
 pub mod answer;
+pub mod fuzz;
 pub mod guard;
 pub mod job;
 pub mod session;

@@ -72,7 +72,7 @@ fn a_header_says_what_is_known_of_a_block() {
     let (_, header, _) = info(&mut station, BlockType::FunctionBlock, 1).expect("FB 1");
     assert_eq!((header[3], &header[12..16]), (0b1001, &[0, 0, 0, 3][..]), "KNOW_HOW_PROTECT");
     let (_, header, _) = info(&mut station, BlockType::DataBlock, 3).expect("DB 3");
-    assert_eq!((header[3], &header[8..12], &header[34..]), (0b10_0001, &[0, 0, 0, 74][..], &[0, 2][..]), "NON_RETAIN");
+    assert_eq!((header[3], &header[8..12], &header[34..]), (0b10_0001, &[0, 0, 0, 81][..], &[0, 2][..]), "NON_RETAIN");
     let (place, header, _) = info(&mut station, BlockType::DataBlock, 5).expect("DB 5");
     assert_eq!((place, header[3]), (BlockPlace::Passive, 0), "UNLINKED");
     let (_, _, footer) = info(&mut station, BlockType::SystemFunction, 51).expect("SFC 51");
@@ -92,8 +92,8 @@ fn the_image_of_a_data_block_has_the_values_of_this_moment() {
             Reply::BlockInfo { header, footer, .. } => (header, footer),
             reply => panic!("{reply:?}"),
         };
-        assert_eq!(image, [&header[..], &[0, value, 0x12, 0x34], &footer].concat());
-        assert_eq!(image[8..12], [0, 0, 0, 76]);
+        assert_eq!(image, [&header[..], &[0, value, 0x12, 0x34], &[5, 0, 0, 0, 0, 0, 0], &footer].concat());
+        assert_eq!(image[8..12], [0, 0, 0, 83]);
     }
     assert_eq!(station.image(data(5))[36..38], [0x55, 0x55], "UNLINKED: the values of the load memory");
 }

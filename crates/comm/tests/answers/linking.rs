@@ -37,7 +37,7 @@ fn new_values_take_effect_when_they_are_linked_and_the_program_stays() {
     for number in [2, 3, 4, 5] {
         let mut image = station.image(data(number));
         image[37] ^= 0xFF;
-        let values = image[36..image.len() - 36].to_vec();
+        let values = image[36..image.len() - 43].to_vec();
         assert!(done(&station.ends(&crate::downloaded(data(number), image))));
         assert!(done(&station.perform(&Job::Link(vec![data(number)]))), "DB {number}");
         assert_eq!(station.values(number), Some(values));
@@ -146,7 +146,10 @@ fn a_data_block_that_the_program_made_is_deleted_too() {
 
 /// Prepares when it is told to.
 #[derive(Debug, Default)]
-struct Slow(Mutex<Vec<(Arc<DataBlockChange>, Sender<Result<Loaded, DataBlockInUse>>)>>);
+struct Slow(Mutex<Vec<Waiting>>);
+
+/// A change and where its program goes.
+type Waiting = (Arc<DataBlockChange>, Sender<Result<Loaded, DataBlockInUse>>);
 
 impl Slow {
     fn finish(&self) {

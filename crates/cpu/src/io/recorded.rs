@@ -4,7 +4,8 @@ use std::ops::Range;
 
 use sieben_model::cpu_type::CpuType;
 
-use super::{IoModule, Rack, SimulatedModule, is_simulated};
+use super::plugging::is_simulated;
+use super::{IoModule, Rack, SimulatedModule};
 use crate::tape::{Reading, Tape};
 
 /// The addresses of a module.

@@ -126,7 +126,7 @@ pub struct CurrentFacts {
     clients: OnceLock<Clients>,
 }
 
-/// Somebody is connected as long as this is there.
+/// A client is connected as long as this is there.
 pub struct Connection(Arc<CurrentFacts>);
 
 impl Drop for Connection {

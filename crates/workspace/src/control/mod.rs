@@ -33,7 +33,7 @@ use crate::status::Desk;
 
 /// Longest name that is kept, in bytes.
 const NAME_BYTES_MAX: usize = 200;
-/// Names that a client's control keeps; whoever asks for more pays for reading them again.
+/// Names that a client's control keeps; more of them are read again each time.
 const NAMES_MAX: usize = 10_000;
 /// Bytes of values that one request reads or writes: an answer stays below a megabyte.
 const VALUE_BYTES_MAX: u64 = 64 * 1024;
@@ -56,6 +56,13 @@ pub struct Control {
 
 /// Names with what they mean, or why they mean nothing.
 type Meant<T> = Vec<(String, Result<T, Refusal>)>;
+
+/// Values that are to be written.
+struct Writing {
+    pairs: Vec<(Name, Value)>,
+    list: Vec<(Item, Value)>,
+    items: Vec<Item>,
+}
 
 impl From<Closed> for Refusal {
     fn from(closed: Closed) -> Self {
@@ -173,10 +180,33 @@ impl Control {
         Ok(names.into_iter().zip(texts).map(|((name, meant), text)| (name, meant.and_then(|meant| setting(meant, text)))).collect())
     }
 
-    /// Comes in while the facts are those of the program that runs; `None` if they no longer are.
-    fn enter<R>(&self, gate: &Gate, work: impl FnOnce(&mut Plant) -> R) -> Result<Option<R>, Refusal> {
-        let (current, version) = (&self.current, self.version);
-        Ok(gate.enter(|plant| (current.version() == version).then(|| work(plant)))?)
+    /// Does something with what names mean in the program that runs. Where an online change comes between the names and the work, both begin
+    /// again.
+    ///
+    /// # Errors
+    /// What `mean` answers instead, without any work; or the refusal.
+    fn at_one_program<N, R, A>(
+        &mut self,
+        gate: &Gate,
+        mean: impl Fn(&mut Self) -> Result<N, Result<A, Refusal>>,
+        work: impl Fn(&N, &mut Plant) -> R,
+    ) -> Result<(N, R), Result<A, Refusal>> {
+        for _ in 0..TRIES_MAX {
+            let names = mean(self)?;
+            let is_current = || self.current.version() == self.version;
+            let done = gate.enter(|plant| is_current().then(|| work(&names, plant))).map_err(|closed| Err(closed.into()))?;
+            match done {
+                Some(done) => return Ok((names, done)),
+                None => self.refresh(),
+            }
+        }
+        Err(Err(changing()))
+    }
+
+    /// Names with their values, or the answer that nothing was done as some of them are wrong.
+    fn right_settings(&mut self, values: &[(String, String)]) -> Result<Vec<(Name, Value)>, Result<Done, Refusal>> {
+        let meant = self.settings(values).map_err(Err)?;
+        all_right(&meant).ok_or_else(|| Ok(nothing_done(meant)))
     }
 
     fn state(&self, gate: &Gate) -> Result<State, Refusal> {
@@ -225,93 +255,78 @@ impl Control {
     }
 
     fn read(&mut self, gate: &Gate, names: &[String]) -> Result<Values, Refusal> {
-        for _ in 0..TRIES_MAX {
-            let meant = self.named(names)?;
+        let mean = |this: &mut Self| {
+            let meant = this.named(names).map_err(Err)?;
             let items: Vec<Item> = meant.iter().filter_map(|(_, name)| Some(name.as_ref().ok()?.item().clone())).collect();
-            let Some((scan, values, cpu_type)) =
-                self.enter(gate, |plant| (plant.scans, plant.cpu.read_items(&items), plant.cpu.cpu_type()))?
-            else {
-                self.refresh();
-                continue;
-            };
-            let mut values = values.into_iter();
-            let value = |(text, name): (String, Result<Name, Refusal>)| {
-                let value = name.and_then(|name| {
-                    let value = values.next().unwrap_or(Err(AccessError::NotAccessible));
-                    value.map_err(|error| unknown(&name.refused("read", error, cpu_type)))
-                });
-                (text, value)
-            };
-            return Ok(Values { scan, items: meant.into_iter().map(value).collect() });
-        }
-        Err(changing())
+            Ok((meant, items))
+        };
+        let read =
+            |(_, items): &(Meant<Name>, Vec<Item>), plant: &mut Plant| (plant.scans, plant.cpu.read_items(items), plant.cpu.cpu_type());
+        let ((meant, _), (scan, values, cpu_type)) = match self.at_one_program(gate, mean, read) {
+            Ok(done) => done,
+            Err(early) => return early,
+        };
+        let mut values = values.into_iter();
+        let value = |(text, name): (String, Result<Name, Refusal>)| {
+            let value = name.and_then(|name| {
+                let value = values.next().unwrap_or(Err(AccessError::NotAccessible));
+                value.map_err(|error| unknown(&name.refused("read", error, cpu_type)))
+            });
+            (text, value)
+        };
+        Ok(Values { scan, items: meant.into_iter().map(value).collect() })
     }
 
     /// Writes all of the values, or none: a name that means nothing, a value that does not fit and an item that is not there keep back all
     /// others. What can be read and not be set is told when it is tried; the others are set then.
     fn write(&mut self, gate: &Gate, values: &[(String, String)]) -> Result<Done, Refusal> {
-        for _ in 0..TRIES_MAX {
-            let meant = self.settings(values)?;
-            let Some(pairs) = all_right(&meant) else { return Ok(nothing_done(meant)) };
+        let mean = |this: &mut Self| {
+            let pairs = this.right_settings(values)?;
             let list: Vec<(Item, Value)> = pairs.iter().map(|(name, value)| (name.item().clone(), value.clone())).collect();
             let items: Vec<Item> = list.iter().map(|(item, _)| item.clone()).collect();
-            let entered = self.enter(gate, |plant| {
-                let there = plant.cpu.read_items(&items);
-                let absent = there.iter().any(Result::is_err);
-                let outcomes = if absent { there.into_iter().map(|value| value.map(drop)).collect() } else { plant.cpu.write_items(&list) };
-                ((!absent).then_some(plant.scans), outcomes, plant.cpu.cpu_type())
-            })?;
-            let Some((scan, outcomes, cpu_type)) = entered else {
-                self.refresh();
-                continue;
+            Ok(Writing { pairs, list, items })
+        };
+        let write = |writing: &Writing, plant: &mut Plant| {
+            let there = plant.cpu.read_items(&writing.items);
+            let absent = there.iter().any(Result::is_err);
+            let outcomes =
+                if absent { there.into_iter().map(|value| value.map(drop)).collect() } else { plant.cpu.write_items(&writing.list) };
+            ((!absent).then_some(plant.scans), outcomes, plant.cpu.cpu_type())
+        };
+        let (Writing { pairs, .. }, (scan, outcomes, cpu_type)) = match self.at_one_program(gate, mean, write) {
+            Ok(done) => done,
+            Err(early) => return early,
+        };
+        let outcome = |((name, _), outcome): (&(Name, Value), Result<(), AccessError>)| {
+            let refused = |error| match error {
+                AccessError::Value => unfit(&name.refused("set", error, cpu_type)),
+                error => unknown(&name.refused("set", error, cpu_type)),
             };
-            let outcome = |((name, _), outcome): (&(Name, Value), Result<(), AccessError>)| {
-                let refused = |error| match error {
-                    AccessError::Value => unfit(&name.refused("set", error, cpu_type)),
-                    error => unknown(&name.refused("set", error, cpu_type)),
-                };
-                (name.text().to_owned(), outcome.map_err(refused))
-            };
-            return Ok(Done { scan, items: pairs.iter().zip(outcomes).map(outcome).collect() });
-        }
-        Err(changing())
+            (name.text().to_owned(), outcome.map_err(refused))
+        };
+        Ok(Done { scan, items: pairs.iter().zip(outcomes).map(outcome).collect() })
     }
 
     /// Forces all of the items, or none where a name or a value is wrong. What the CPU type does not force is told for itself.
     fn force(&mut self, gate: &Gate, values: &[(String, String)]) -> Result<Done, Refusal> {
-        for _ in 0..TRIES_MAX {
-            let meant = self.settings(values)?;
-            let Some(pairs) = all_right(&meant) else { return Ok(nothing_done(meant)) };
-            let forced = self.enter(gate, |plant| {
-                let force = |(name, value): &(Name, Value)| {
-                    (name.text().to_owned(), name.force(&mut plant.cpu, value).map_err(|error| unknown(&error)))
-                };
-                (pairs.iter().map(force).collect::<Vec<_>>(), plant.scans)
-            })?;
-            match forced {
-                Some((items, scan)) => return Ok(Done { scan: Some(scan), items }),
-                None => self.refresh(),
-            }
-        }
-        Err(changing())
+        let force = |pairs: &Vec<(Name, Value)>, plant: &mut Plant| {
+            let force = |(name, value): &(Name, Value)| {
+                (name.text().to_owned(), name.force(&mut plant.cpu, value).map_err(|error| unknown(&error)))
+            };
+            Done { items: pairs.iter().map(force).collect(), scan: Some(plant.scans) }
+        };
+        self.at_one_program(gate, |this| this.right_settings(values), force).map_or_else(|early| early, |(_, done)| Ok(done))
     }
 
     fn unforce(&mut self, gate: &Gate, names: &[String]) -> Result<Done, Refusal> {
-        for _ in 0..TRIES_MAX {
-            let meant = self.named(names)?;
-            let unforced = self.enter(gate, |plant| {
-                let unforce = |(text, name): &(String, Result<Name, Refusal>)| {
-                    let done = name.clone().and_then(|name| name.unforce(&mut plant.cpu).map_err(|error| unknown(&error)));
-                    (text.clone(), done)
-                };
-                (meant.iter().map(unforce).collect::<Vec<_>>(), plant.scans)
-            })?;
-            match unforced {
-                Some((items, scan)) => return Ok(Done { scan: Some(scan), items }),
-                None => self.refresh(),
-            }
-        }
-        Err(changing())
+        let unforce = |meant: &Meant<Name>, plant: &mut Plant| {
+            let unforce = |(text, name): &(String, Result<Name, Refusal>)| {
+                let done = name.clone().and_then(|name| name.unforce(&mut plant.cpu).map_err(|error| unknown(&error)));
+                (text.clone(), done)
+            };
+            Done { items: meant.iter().map(unforce).collect(), scan: Some(plant.scans) }
+        };
+        self.at_one_program(gate, |this| this.named(names).map_err(Err), unforce).map_or_else(|early| early, |(_, done)| Ok(done))
     }
 
     fn diagnostics(&self, gate: &Gate, after: u64) -> Result<Diagnostics, Refusal> {
@@ -512,5 +527,42 @@ pub fn fuzz(data: &[u8]) {
         let line = line(&id, &answer);
         assert_eq!(line.matches('\n').count(), 1, "an answer is one line");
         assert!(serde_json::from_str::<serde_json::Value>(&line).is_ok_and(|answer| answer["id"] == id), "an answer is JSON");
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::cell::Cell;
+
+    use sieben_cpu::{Cpu, Rack, Settings};
+    use sieben_engine::Interpreter;
+    use sieben_model::cpu_type::CpuType;
+
+    use super::*;
+    use crate::pace::{Pace, Speed};
+
+    #[test]
+    fn a_request_begins_again_where_an_online_change_comes_in_between() {
+        let rack = Rack::with_background(&CpuType::ALL[0], Vec::new()).expect("an empty rack");
+        let cpu = Cpu::load(&CpuType::ALL[0], Arc::default(), Interpreter::load, rack, Settings::default());
+        let gate = Gate::new(Plant::new(cpu, Pace::new(Speed::Max, 10_000, u64::MAX, 0)), Box::new(|| 0));
+        let ask = |changes: usize| {
+            let mut control = Control::new(Arc::default());
+            let (meant, done) = (Cell::new(0), Cell::new(0));
+            let mean = |control: &mut Control| {
+                meant.set(meant.get() + 1);
+                if meant.get() <= changes {
+                    control.current.replace(Facts::default());
+                }
+                Ok::<_, Result<(), Refusal>>(meant.get())
+            };
+            let asked = control.at_one_program(&gate, mean, |_, _| done.set(done.get() + 1));
+            (asked.map(|(meant, ())| meant).map_err(|early| early.map_err(|refusal| refusal.problem)), done.get())
+        };
+        assert_eq!(ask(0), (Ok(1), 1));
+        assert_eq!(ask(3), (Ok(4), 1), "work is done once, with the names of the last program");
+        assert_eq!(ask(TRIES_MAX), (Err(Err(Problem::P7093)), 0));
+        gate.close();
+        assert_eq!(ask(0), (Err(Err(Problem::P7094)), 0));
     }
 }

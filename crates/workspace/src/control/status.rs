@@ -28,7 +28,7 @@ pub(super) fn status(gate: &Gate, desk: &Desk, facts: &Facts, (name, after, from
     let _look = desk.look([block]);
     let now_us = gate.now_us();
     let end = now_us.saturating_add(u64::try_from(WAIT_MAX.as_micros()).unwrap_or(u64::MAX));
-    // Who knows no sample of this run wants the next one.
+    // A client that knows no sample of this run wants the next one.
     let newest = desk.number();
     let mut seen = if (1..=newest).contains(&after) { after } else { newest };
     while !gate.is_closed() {

@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 use super::{Coverage, File, Line, Share};
 use crate::xml::escaped;
 
-/// Every page begins with it: what does not is somebody else's and is not overwritten.
+/// Every page begins with it: what does not was made by others and is not overwritten.
 pub const MARK: &str = "<!doctype html><!-- coverage written by sieben -->";
 /// The page with all sources.
 pub const INDEX: &str = "index.html";

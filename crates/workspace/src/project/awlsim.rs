@@ -23,7 +23,7 @@ const HEADINGS: &str = "symbol;address;type;comment\n";
 const LIBRARY: &str = "IEC";
 
 impl Project {
-    /// Takes in a project of awlsim, with its settings. What it holds and names is answered: whoever reads its files adds each part.
+    /// Takes in a project of awlsim, with its settings. What it holds and names is answered: the caller reads these files and adds each part.
     /// None if it cannot be read, which a finding says.
     pub fn add_awlsim_project(&mut self, path: &Path, bytes: &[u8]) -> Option<AwlsimProject> {
         let name = path.display().to_string();

@@ -42,7 +42,7 @@ impl SourceFile {
 
 /// Everything read and decoded, nothing compiled.
 ///
-/// Each text comes in by its path, which is what people call it, and its bytes: whoever adds it has read them from a disk, or made them up.
+/// Each text comes in by its path, which is what people call it, and its bytes: they were read from a disk, or made up.
 #[derive(Debug, Default)]
 pub struct Project {
     /// All texts.
@@ -69,7 +69,7 @@ impl Project {
         Self { encoding, ..Self::default() }
     }
 
-    /// Takes in a `sieben.toml`; what it says replaces what was said before. Patterns of files are for who reads the files.
+    /// Takes in a `sieben.toml`; what it says replaces what was said before. Patterns of files are a matter of the code that reads files.
     pub fn add_settings(&mut self, path: &Path, bytes: &[u8]) {
         let name = path.display().to_string();
         self.settings = match std::str::from_utf8(bytes) {
@@ -116,7 +116,7 @@ impl Project {
         let name = path.display().to_string();
         let table = match symbol_table::read(&name, bytes, self.encoding, &mut self.texts.documents) {
             Ok(table) => table,
-            // What lies inside the project is a matter of the project, not of who reads it.
+            // What lies inside the project is a matter of the project, not of the code that reads it.
             Err(refusal) if refusal.problem == Problem::P1101 => {
                 self.findings.push(Finding::file(refusal.problem, name, refusal.message));
                 return Ok(());

@@ -6,7 +6,7 @@ use sieben_model::address::{Address, Area, Operand, Width};
 use sieben_model::mnemonics::Mnemonics;
 use sieben_sim::names::Name;
 
-/// Changes of memory that are told; a block move changes more than anybody reads.
+/// Changes of memory that are told; a block move changes more than a person reads.
 const CHANGES_MAX: usize = 32;
 
 /// Something that has changed.
@@ -21,7 +21,7 @@ pub struct Change {
 }
 
 /// What differs between two machines; `written` is the operand of the statement, if it has one that means a single value.
-/// Hidden local data, which the compiler needs for calls, are left out: nobody has given them a name.
+/// Hidden local data, which the compiler needs for calls, are left out: they have no name in the source.
 pub(super) fn of_memory(before: &Machine, after: &Machine, written: Option<&Name>, program: &Program, mnemonics: Mnemonics) -> Vec<Change> {
     let mut changes = Vec::new();
     let mut covered = 0..0;

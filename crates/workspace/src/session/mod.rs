@@ -448,7 +448,7 @@ impl Session {
         self.history.set(setting)
     }
 
-    /// Who changed a value last, before now; `None` if nobody did since the beginning, or since what is kept.
+    /// Who changed a value last, before now; `None` if it has not changed since the beginning, or since what is kept.
     pub fn who(&mut self, name: &Name) -> Option<Who> {
         let (position, hit) = self.last_hit(Target::Change(name.clone()))?;
         let here = self.history.position();
@@ -484,7 +484,7 @@ impl Session {
         Some(writer)
     }
 
-    /// Lets somebody watch the last statements again, so many at most. The run stands where it stood.
+    /// Replays the last statements for an observer, so many at most. The run stands where it stood.
     pub fn watch_last(&mut self, statements: u64, watch: &mut dyn Watch) {
         let here = self.history.position();
         let from = here.statements.saturating_sub(statements).max(self.history.first());

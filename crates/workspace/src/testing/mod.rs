@@ -88,7 +88,7 @@ pub trait Outside: Send + Sync {
     fn load(&self, program: &Program, layout: &Layout) -> Arc<dyn Engine>;
     /// What is wrong with a program, each finding as people read it, and their number.
     fn show(&self, findings: &[Finding], texts: &Texts) -> Vec<String>;
-    /// Keeps a timing diagram of a test that failed, if somebody wants that; what is said about it.
+    /// Keeps a timing diagram of a test that failed, if that is wanted; what is said about it.
     fn keep_diagram(&self, name: &str, draw: &dyn Fn() -> Result<String, String>) -> Option<String>;
 }
 
@@ -192,7 +192,7 @@ impl Stopwatch {
 pub enum Verdict {
     /// It ended as it should.
     Passed,
-    /// It has no words to check itself and nobody named it as a test: it was not run.
+    /// It has no words to check itself and it was not named as a test: it was not run.
     NoTest,
     /// It ran and found something wrong, or did not end.
     Failed(Box<Wrong>),

@@ -8,7 +8,7 @@ use super::self_checking::FirstSource;
 use super::*;
 use crate::tracing;
 
-/// A computer whose clock goes on by so many milliseconds whenever somebody looks, and that keeps the names of diagrams.
+/// A computer whose clock goes on by so many milliseconds with each look, and that keeps the names of diagrams.
 struct MadeUp {
     step_ms: u64,
     now_ms: AtomicU64,
@@ -31,7 +31,7 @@ impl Outside for MadeUp {
     fn keep_diagram(&self, name: &str, draw: &dyn Fn() -> Result<String, String>) -> Option<String> {
         let svg = draw().expect("the diagram is drawn");
         assert!(svg.starts_with("<svg"), "{svg}");
-        self.diagrams.lock().expect("nobody else has it").push(name.to_owned());
+        self.diagrams.lock().expect("no other thread has it").push(name.to_owned());
         Some(format!("kept as {name}"))
     }
 }
@@ -95,7 +95,7 @@ fn unit_tests_run_from_memory() {
     assert!(text.starts_with("ok    main.test.st: it counts  (3 scans, "), "{text}");
     assert!(text.contains("FAIL  main.test.st: it does not count further") && text.ends_with("1 passed, 1 failed\n"), "{text}");
     assert!(text.contains("kept as it-does-not-count-further.svg"), "{text}");
-    assert_eq!((worst(&finished), computer.diagrams.lock().expect("nobody else has it").len()), (Worst::Failed, 1));
+    assert_eq!((worst(&finished), computer.diagrams.lock().expect("no other thread has it").len()), (Worst::Failed, 1));
     let coverage = conditions.coverage.as_deref().expect("it is counted").coverage();
     assert!(coverage.summary().contains("main.awl"), "{}", coverage.summary());
     assert_eq!(coverage.lines().percent(), 100, "{}", coverage.summary());

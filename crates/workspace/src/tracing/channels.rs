@@ -14,7 +14,7 @@ use crate::places::Places;
 use crate::project::Build;
 use crate::refusal::Refusal;
 
-/// The areas whose addresses are recorded when nobody names any.
+/// The areas whose addresses are recorded when none is named.
 const AREAS: [Area; 4] = [Area::Input, Area::PeripheralInput, Area::Output, Area::PeripheralOutput];
 
 /// The channels that the lists name; without any, those of the inputs and outputs that the program uses.

@@ -9,7 +9,7 @@ use sieben_workspace::gate::Plant;
 
 use super::stored::StoredBlocks;
 use crate::s7comm::job::{BlockEntry, BlockName, BlockPlace, BlockType, Download, Reply};
-use crate::s7comm::wire::block_image::{FRAME_BYTES, Frame, Image};
+use crate::s7comm::wire::block_image::{FRAME_BYTES, Frame, Image, Interface};
 use crate::s7comm::wire::blocks::{LINKED, PASSIVE, SYSTEM};
 use crate::s7comm::wire::codes::Refusal;
 
@@ -99,8 +99,19 @@ fn frame(view: &BlockView, block_type: BlockType) -> Frame {
         loaded: view.loaded,
         body_bytes: u16::try_from(view.data_bytes).unwrap_or(u16::MAX),
         local_bytes: u16::try_from(view.local_bytes).unwrap_or(u16::MAX),
+        interface: interface(view),
         names: [&attributes.author, &attributes.family, &attributes.name].map(String::clone),
         version: (low(attributes.version.0), low(attributes.version.1)),
+    }
+}
+
+/// The interface that the image of a block has.
+fn interface(view: &BlockView) -> Interface {
+    let of_block = view.based_on.filter(|id| matches!(id.kind, BlockKind::FunctionBlock | BlockKind::SystemFunctionBlock));
+    match of_block {
+        _ if view.id.kind != BlockKind::DataBlock => Interface::None,
+        Some(block) => Interface::Instance(block.number),
+        None => Interface::Shared,
     }
 }
 
@@ -116,6 +127,7 @@ fn system_frame(name: BlockName, called: &str) -> Frame {
         loaded: DateAndTime::DEFAULT,
         body_bytes: 0,
         local_bytes: 0,
+        interface: Interface::None,
         names: [String::new(), String::new(), called.to_owned()],
         version: (1, 0),
     }

@@ -1,6 +1,7 @@
 //! What is done about a message, and how the answer of the CPU becomes one.
 
 use super::events::{self, Event, What};
+use super::input::Arrived;
 use super::passwords::Password;
 use super::queue::{Due, Form, Task, Work};
 use super::shared::Shared;
@@ -36,7 +37,7 @@ impl Session {
         };
         let begins = message.kind == Kind::Job && message.parameters.first() == Some(&setup::FUNCTION);
         if begins && !self.queue.is_empty() {
-            self.barrier = Some(bytes);
+            self.barrier = Some(Arrived::Message(bytes));
             return;
         }
         let reference = message.reference;
@@ -224,11 +225,8 @@ impl Session {
                         Err(refusal) => self.refused(reference, &job, form, refusal, shared, now_us),
                     }
                 }
-                Work::Pending { job, form, until_us, .. } if now_us >= until_us => {
-                    self.refused(reference, &job, form, Refusal::CannotPerform, shared, now_us);
-                }
                 Work::Pending { job, form, pending, until_us, look_us, is_due } => {
-                    let is_due = if now_us >= look_us { Due::Now } else { is_due };
+                    let is_due = if now_us >= look_us.min(until_us) { Due::Now } else { is_due };
                     return self.queue.put_back(reference, Work::Pending { job, form, pending, until_us, look_us, is_due });
                 }
                 work => return self.queue.put_back(reference, work),
@@ -236,6 +234,7 @@ impl Session {
         }
     }
 
+    /// Refuses a job that was not done.
     fn refused(&mut self, reference: u16, job: &Job, form: Form, refusal: Refusal, shared: &mut Shared, now_us: u64) {
         let reply = Reply::Refused(refusal);
         events::of(self.peer, reference, None, job, &reply, &mut shared.events);

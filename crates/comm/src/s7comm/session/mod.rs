@@ -19,6 +19,7 @@ use sieben_workspace::gate::Plant;
 use super::answer;
 use super::guard::{Legitimation, Rules};
 use super::job::Reply;
+use super::wire::codes::Refusal;
 use super::wire::cotp;
 use super::wire::cotp::Partner;
 pub use events::{Event, What};
@@ -61,8 +62,8 @@ pub struct Session {
     input: Input,
     output: Output,
     queue: Queue,
-    /// A message that waits until all jobs before it are done, because it changes how they are answered.
-    barrier: Option<Vec<u8>>,
+    /// What waits until all jobs before it are done: a setup, which changes how they are answered, or the end of the connection.
+    barrier: Option<Arrived>,
     legitimation: Legitimation,
     remainders: Remainders,
     uploads: Uploads,
@@ -144,14 +145,16 @@ impl Session {
         let (job, form, reply, until_us) = match task.work {
             Work::Ready { job, form } => {
                 let reply = answer::perform(&job, plant, &mut shared.around, by);
-                (job, form, Some(reply), now_us.saturating_add(PENDING_US_MAX))
+                (job, form, reply, now_us.saturating_add(PENDING_US_MAX))
             }
             Work::Pending { job, form, mut pending, until_us, .. } => match pending.poll(plant, &mut shared.around) {
+                // What has ended meanwhile is answered, however late it is.
+                None if now_us >= until_us => (job, form, Reply::Refused(Refusal::CannotPerform), until_us),
                 None => {
                     self.queue.pend(task.reference, job, form, pending, until_us, now_us);
                     return true;
                 }
-                reply => (job, form, reply, until_us),
+                Some(reply) => (job, form, reply, until_us),
             },
             other => {
                 self.queue.put_back(task.reference, other);
@@ -159,13 +162,12 @@ impl Session {
             }
         };
         match reply {
-            Some(Reply::Later(pending)) => self.queue.pend(task.reference, job, form, pending, until_us, now_us),
-            Some(reply) => {
+            Reply::Later(pending) => self.queue.pend(task.reference, job, form, pending, until_us, now_us),
+            reply => {
                 events::of(self.peer, task.reference, Some(scan), &job, &reply, &mut shared.events);
                 let answer = self.answer(task.reference, &job, form, reply, now_us);
                 self.send(&answer, now_us);
             }
-            None => {}
         }
         self.go_on(shared, now_us);
         true
@@ -200,7 +202,7 @@ impl Session {
         let passed = |deadline_us: Option<u64>| deadline_us.is_some_and(|deadline_us| now_us >= deadline_us);
         let setup_us = (!self.is_ready()).then(|| self.begun_us.saturating_add(SETUP_US_MAX));
         if passed(self.output.given_up_us()) {
-            // Nobody takes it.
+            // The client does not take it.
             let waiting = self.output.waiting().len();
             self.output.sent(waiting, now_us);
             self.end();
@@ -246,9 +248,9 @@ impl Session {
                 return;
             }
             if self.queue.is_empty()
-                && let Some(message) = self.barrier.take()
+                && let Some(arrived) = self.barrier.take()
             {
-                self.message(message, shared, now_us);
+                self.arrived(arrived, shared, now_us);
                 continue;
             }
             if !self.listens() {
@@ -274,6 +276,7 @@ impl Session {
                 self.stage = Stage::Connected { tpdu_bytes };
                 self.partner = Some(partner);
             }
+            (arrived @ Arrived::Disconnect { .. }, _) if !self.queue.is_empty() => self.barrier = Some(arrived),
             (Arrived::Disconnect { source }, Stage::Connected { .. } | Stage::Ready { .. }) => {
                 self.output.control(now_us, |out| cotp::disconnect_confirm(out, source));
                 self.end();

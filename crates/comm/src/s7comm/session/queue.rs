@@ -2,7 +2,6 @@
 
 use std::collections::VecDeque;
 
-use super::PENDING_US_MAX;
 use crate::s7comm::job::{Job, Pending};
 use crate::s7comm::wire::security::PasswordRequest;
 use crate::s7comm::wire::setup::JOBS_MAX;
@@ -78,7 +77,6 @@ impl Queue {
 
     /// The first one takes longer.
     pub(super) fn pend(&mut self, reference: u16, job: Job, form: Form, pending: Box<dyn Pending>, until_us: u64, now_us: u64) {
-        debug_assert!(until_us <= now_us.saturating_add(PENDING_US_MAX));
         let look_us = now_us.saturating_add(LOOK_US);
         self.put_back(reference, Work::Pending { job, form, pending, until_us, look_us, is_due: Due::Later });
     }
@@ -110,7 +108,6 @@ impl Queue {
         match &self.tasks.front()?.work {
             Work::Held(_, until_us) => Some(*until_us),
             Work::Pending { look_us, until_us, is_due: Due::Later, .. } => Some(*look_us.min(until_us)),
-            Work::Pending { until_us, .. } => Some(*until_us),
             _ => None,
         }
     }

@@ -25,6 +25,42 @@ const DAY_MS: u64 = 86_400_000;
 /// The polynomial of the checksum: x¹⁶ + x¹⁵ + x¹² + x + 1.
 const POLYNOMIAL: u16 = 0x9003;
 
+/// Bytes of the head of an interface.
+const INTERFACE_HEAD: usize = 7;
+/// What the interface of a data block begins with, and that of an instance.
+const SHARED: u8 = 0x05;
+const INSTANCE: u8 = 0x0A;
+
+/// What the interface of an image says. The declarations themselves are left out: the head says that there are none.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Interface {
+    /// There is no interface.
+    None,
+    /// A shared data block.
+    Shared,
+    /// An instance of the function block with this number.
+    Instance(u16),
+}
+
+impl Interface {
+    fn bytes(self) -> Vec<u8> {
+        let head = |kind: u8, number: u16| {
+            let [low, high] = number.to_le_bytes();
+            // Two lengths follow, of the declarations and of their initial values.
+            vec![kind, low, high, 0, 0, 0, 0]
+        };
+        match self {
+            Self::None => Vec::new(),
+            Self::Shared => head(SHARED, 0),
+            Self::Instance(number) => head(INSTANCE, number),
+        }
+    }
+
+    fn length(self) -> usize {
+        if self == Self::None { 0 } else { INTERFACE_HEAD }
+    }
+}
+
 /// Header and footer of a block, as far as they mean anything.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Frame {
@@ -46,6 +82,8 @@ pub struct Frame {
     pub body_bytes: u16,
     /// Bytes of local data.
     pub local_bytes: u16,
+    /// What its interface says.
+    pub interface: Interface,
     /// Author, family and name; eight characters of each are kept.
     pub names: [String; 3],
     /// The version: before and after the point, 0 to 15 each.
@@ -53,12 +91,13 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// The header. The image has neither an interface nor networks.
+    /// The header. The image has no table of networks.
     pub fn header(&self) -> [u8; HEADER_BYTES] {
         let flag = |on: bool, bit: u8| if on { bit } else { 0 };
         let attributes = flag(self.linked, LINKED) | flag(self.know_how_protected, KNOW_HOW_PROTECTED) | flag(self.non_retain, NON_RETAIN);
         let protection = if self.know_how_protected { PROTECTED } else { 0 };
-        let load_bytes = FRAME_BYTES as u32 + u32::from(self.body_bytes);
+        let interface_bytes = self.interface.length() as u16;
+        let load_bytes = FRAME_BYTES as u32 + u32::from(self.body_bytes) + u32::from(interface_bytes);
         let time = time(self.loaded);
         let mut header = [0; HEADER_BYTES];
         header[..2].copy_from_slice(&BEGIN);
@@ -68,6 +107,7 @@ impl Frame {
         header[12..16].copy_from_slice(&protection.to_be_bytes());
         header[16..22].copy_from_slice(&time);
         header[22..28].copy_from_slice(&time);
+        header[28..30].copy_from_slice(&interface_bytes.to_be_bytes());
         header[32..34].copy_from_slice(&self.local_bytes.to_be_bytes());
         header[34..].copy_from_slice(&self.body_bytes.to_be_bytes());
         header
@@ -88,7 +128,7 @@ impl Frame {
 
     /// The whole image, if the values are as many as the header says.
     pub fn image(&self, body: &[u8]) -> Option<Vec<u8>> {
-        (body.len() == usize::from(self.body_bytes)).then(|| [&self.header()[..], body, &self.footer()].concat())
+        (body.len() == usize::from(self.body_bytes)).then(|| [&self.header()[..], body, &self.interface.bytes(), &self.footer()].concat())
     }
 }
 
@@ -170,6 +210,7 @@ mod tests {
             loaded: DateAndTime::DEFAULT.plus_us(1_002_000),
             body_bytes: 4,
             local_bytes: 0,
+            interface: Interface::Instance(0x0102),
             names: ["Meyer".to_owned(), "far too long".to_owned(), "Ä b".to_owned()],
             version: (1, 2),
         }
@@ -181,12 +222,13 @@ mod tests {
         #[rustfmt::skip] // One field in each line.
         let expected: Vec<u8> = [
             &b"pp"[..], &[1], &[0x21], &[5], &[0x0A], &[1, 2],
-            &[0, 0, 0, 76],                         // 36 + 4 + 36
+            &[0, 0, 0, 83],                         // 36 + 4 + 7 + 36
             &[0, 0, 0, 0],
             &[0, 0, 0x03, 0xEA, 0x0E, 0x45],        // 1002 ms, day 3653: 2192 and four years with a leap day
             &[0, 0, 0x03, 0xEA, 0x0E, 0x45],
-            &[0, 0], &[0, 0], &[0, 0], &[0, 4],
+            &[0, 7], &[0, 0], &[0, 0], &[0, 4],
             &[1, 2, 3, 4],
+            &[0x0A, 2, 1, 0, 0, 0, 0],              // an instance of FB 258, and no declarations
             b"Meyer\0\0\0", b"far_too_", b"__b\0\0\0\0\0",
             &[0x12, 0], &[0, 0], &[0; 8],
         ]

@@ -53,7 +53,7 @@ pub struct Misfit {
 /// Reads a message.
 ///
 /// # Errors
-/// It is no message of this protocol at all: the connection is closed. If it is one, but of an unknown kind or with wrong lengths, the inner
+/// It is no message of this protocol at all, or an answer with wrong lengths: the connection is closed. If it is one, but of an unknown kind or with wrong lengths, the inner
 /// error is what it is answered with.
 pub fn read(bytes: &[u8]) -> Result<Result<Message<'_>, Misfit>, Broken> {
     let &[PROTOCOL, kind, _, _, reference_high, reference_low, parameters_high, parameters_low, data_high, data_low, ref rest @ ..] = bytes
@@ -72,6 +72,8 @@ pub fn read(bytes: &[u8]) -> Result<Result<Message<'_>, Misfit>, Broken> {
     let data_bytes = usize::from(u16::from_be_bytes([data_high, data_low]));
     match rest.split_at_checked(parameter_bytes) {
         Some((parameters, data)) if data.len() == data_bytes => Ok(Ok(Message { kind, reference, error, parameters, data })),
+        // An answer is not answered.
+        _ if matches!(kind, Kind::Ack | Kind::AckData) => Err(Broken),
         _ => misfit(Refusal::WrongFrame),
     }
 }
@@ -129,6 +131,7 @@ mod tests {
         assert_eq!(read(&[0x32, 9, 0, 0, 0, 6, 0, 0, 0, 0]), misfit(6, Refusal::NotImplemented));
         assert_eq!(read(&[0x72, 1, 0, 0, 0, 5, 0, 0, 0, 0]), Err(Broken));
         assert_eq!(read(&[0x32, 3, 0, 0, 0, 5, 0, 0, 0, 0, 0]), Err(Broken));
+        assert_eq!(read(&[0x32, 3, 0, 0, 0, 5, 0, 1, 0, 0, 0, 0]), Err(Broken));
         assert_eq!(read(&[0x32, 1]), Err(Broken));
     }
 }

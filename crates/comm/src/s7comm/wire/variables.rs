@@ -154,7 +154,7 @@ fn variable(item: &[u8]) -> Result<Variable, ItemCode> {
     }
 }
 
-/// The area with this code. Local data and the instance of a running block are of no use to anyone outside of the program.
+/// The area with this code. Local data and the instance of a running block mean nothing outside of the program.
 fn area_of(code: u8, db: u16) -> Option<VariableArea> {
     Some(match code {
         0x80 => VariableArea::Peripheral,

@@ -1,0 +1,186 @@
+//! Plugging modules into a rack: each byte belongs to one module at most.
+
+use std::any::Any;
+use std::fmt;
+use std::ops::Range;
+
+use sieben_model::cpu_type::CpuType;
+use sieben_model::problems::Problem;
+
+use super::{IoModule, Rack, SimulatedModule};
+use crate::listening::Orders;
+use crate::tape::Tape;
+
+/// Why modules cannot be plugged in together.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum RackError {
+    /// Two modules want the same byte.
+    Overlap {
+        /// The module that came first.
+        first: String,
+        /// The module that came later.
+        second: String,
+        /// `true` for an input byte.
+        input: bool,
+        /// The byte.
+        byte: u32,
+    },
+    /// A module reaches beyond the peripheral area.
+    Beyond {
+        /// The module.
+        module: String,
+        /// One after its last byte.
+        end: u32,
+        /// Bytes that the CPU type has.
+        limit: u32,
+    },
+}
+
+impl RackError {
+    /// The problem code.
+    pub fn problem(&self) -> Problem {
+        match self {
+            Self::Overlap { .. } => Problem::P8002,
+            Self::Beyond { .. } => Problem::P8003,
+        }
+    }
+}
+
+impl fmt::Display for RackError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Overlap { first, second, input, byte } => {
+                let area = if *input { "PIB" } else { "PQB" };
+                write!(f, "the modules `{first}` and `{second}` both use `{area} {byte}`; every byte belongs to at most one module")
+            }
+            Self::Beyond { module, end, limit } => {
+                write!(f, "the module `{module}` reaches to byte {}, the CPU type has bytes 0 to {}", end.saturating_sub(1), limit - 1)
+            }
+        }
+    }
+}
+
+impl std::error::Error for RackError {}
+
+/// Bytes next to each other that belong to one module.
+#[derive(Clone, Debug)]
+pub(super) struct Run {
+    /// The module, as it was plugged in.
+    pub(super) module: usize,
+    /// The bytes.
+    pub(super) bytes: Range<usize>,
+}
+
+impl Rack {
+    /// One simulated module at every address: what a program without a configuration runs with.
+    pub fn simulated(cpu: &CpuType) -> Self {
+        let background = SimulatedModule::new("simulated", 0..cpu.peripheral);
+        let mut rack = Self::empty(cpu);
+        rack.claim(Box::new(background));
+        rack.finish()
+    }
+
+    /// These modules, and a simulated one at every address that they leave free.
+    ///
+    /// # Errors
+    /// Two of them overlap, or one reaches beyond the peripheral area.
+    pub fn with_background(cpu: &CpuType, modules: Vec<Box<dyn IoModule>>) -> Result<Self, RackError> {
+        Self::check(cpu, &modules)?;
+        let mut rack = Self::simulated(cpu);
+        for module in modules {
+            rack.claim(module);
+        }
+        Ok(rack.finish())
+    }
+
+    /// Only these modules; an access elsewhere is an I/O access error.
+    ///
+    /// # Errors
+    /// Two of them overlap, or one reaches beyond the peripheral area.
+    pub fn with_only(cpu: &CpuType, modules: Vec<Box<dyn IoModule>>) -> Result<Self, RackError> {
+        Self::check(cpu, &modules)?;
+        let mut rack = Self::empty(cpu);
+        for module in modules {
+            rack.claim(module);
+        }
+        Ok(rack.finish())
+    }
+
+    pub(super) fn empty(cpu: &CpuType) -> Self {
+        let size = cpu.peripheral as usize;
+        Self {
+            modules: Vec::new(),
+            lively: Vec::new(),
+            input_owner: vec![None; size],
+            output_owner: vec![None; size],
+            input_runs: Vec::new(),
+            output_runs: Vec::new(),
+            outputs: vec![0; size],
+            enabled: false,
+            changed: true,
+            plain: false,
+            alarms: Vec::new(),
+            alarmed: false,
+            tape: Tape::default(),
+            now_us: 0,
+            orders: Orders::default(),
+            listener: None,
+        }
+    }
+
+    fn check(cpu: &CpuType, modules: &[Box<dyn IoModule>]) -> Result<(), RackError> {
+        for (index, module) in modules.iter().enumerate() {
+            for (input, range) in [(true, module.inputs()), (false, module.outputs())] {
+                if range.is_empty() && range.start < cpu.peripheral {
+                    continue;
+                }
+                if range.end > cpu.peripheral {
+                    return Err(RackError::Beyond { module: module.name().into(), end: range.end, limit: cpu.peripheral });
+                }
+                for earlier in &modules[..index] {
+                    let other = if input { earlier.inputs() } else { earlier.outputs() };
+                    let byte = range.start.max(other.start);
+                    if byte < range.end.min(other.end) {
+                        return Err(RackError::Overlap { first: earlier.name().into(), second: module.name().into(), input, byte });
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    pub(super) fn claim(&mut self, module: Box<dyn IoModule>) {
+        // A checked rack has at most one module per byte, far below 2^16.
+        let index = Some(self.modules.len() as u16);
+        for byte in module.inputs() {
+            self.input_owner[byte as usize] = index;
+        }
+        for byte in module.outputs() {
+            self.output_owner[byte as usize] = index;
+        }
+        self.lively.push(!is_simulated(&*module));
+        self.modules.push(module);
+    }
+
+    pub(super) fn finish(mut self) -> Self {
+        self.input_runs = runs(&self.input_owner);
+        self.output_runs = runs(&self.output_owner);
+        self
+    }
+}
+
+pub(super) fn is_simulated(module: &dyn IoModule) -> bool {
+    (module as &dyn Any).is::<SimulatedModule>()
+}
+
+fn runs(owners: &[Option<u16>]) -> Vec<Run> {
+    let mut runs: Vec<Run> = Vec::new();
+    for (byte, owner) in owners.iter().enumerate() {
+        let Some(module) = owner.map(usize::from) else { continue };
+        match runs.last_mut() {
+            Some(run) if run.module == module && run.bytes.end == byte => run.bytes.end += 1,
+            _ => runs.push(Run { module, bytes: byte..byte + 1 }),
+        }
+    }
+    runs
+}
