@@ -1,6 +1,7 @@
 //! What is done about a message, and how the answer of the CPU becomes one.
 
 use super::events::{self, Event, What};
+use super::input::Arrived;
 use super::passwords::Password;
 use super::queue::{Due, Form, Task, Work};
 use super::shared::Shared;
@@ -36,7 +37,7 @@ impl Session {
         };
         let begins = message.kind == Kind::Job && message.parameters.first() == Some(&setup::FUNCTION);
         if begins && !self.queue.is_empty() {
-            self.barrier = Some(bytes);
+            self.barrier = Some(Arrived::Message(bytes));
             return;
         }
         let reference = message.reference;

@@ -62,8 +62,8 @@ pub struct Session {
     input: Input,
     output: Output,
     queue: Queue,
-    /// A message that waits until all jobs before it are done, because it changes how they are answered.
-    barrier: Option<Vec<u8>>,
+    /// What waits until all jobs before it are done: a setup, which changes how they are answered, or the end of the connection.
+    barrier: Option<Arrived>,
     legitimation: Legitimation,
     remainders: Remainders,
     uploads: Uploads,
@@ -248,9 +248,9 @@ impl Session {
                 return;
             }
             if self.queue.is_empty()
-                && let Some(message) = self.barrier.take()
+                && let Some(arrived) = self.barrier.take()
             {
-                self.message(message, shared, now_us);
+                self.arrived(arrived, shared, now_us);
                 continue;
             }
             if !self.listens() {
@@ -276,6 +276,7 @@ impl Session {
                 self.stage = Stage::Connected { tpdu_bytes };
                 self.partner = Some(partner);
             }
+            (arrived @ Arrived::Disconnect { .. }, _) if !self.queue.is_empty() => self.barrier = Some(arrived),
             (Arrived::Disconnect { source }, Stage::Connected { .. } | Stage::Ready { .. }) => {
                 self.output.control(now_us, |out| cotp::disconnect_confirm(out, source));
                 self.end();
