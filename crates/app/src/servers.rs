@@ -8,6 +8,7 @@ use std::sync::Arc;
 use std::time::SystemTime;
 
 use clap::Args;
+use listenfd::ListenFd;
 use rustix::io::Errno;
 use serde_json::{Value, json};
 use sieben_comm::config::{Config, LISTEN};
@@ -78,7 +79,6 @@ impl ServerArguments {
         let mut config = Config::of(file.unwrap_or(&Default::default()));
         let of_file = file.and_then(|file| file.listen).map(|(address, _)| address);
         config.listen = named.or(of_file).or(self.expose.last().copied()).unwrap_or(LISTEN);
-        self.check(config.listen)?;
         Ok(Some(config))
     }
 
@@ -128,8 +128,17 @@ pub(crate) struct Prepared {
 
 impl Prepared {
     /// Listens, and opens the files that are written.
-    pub(crate) fn new(config: Config, project: &Project) -> Result<Self, Failure> {
-        let listener = server::listen(config.listen).map_err(|error| not_listening(config.listen, &error))?;
+    pub(crate) fn new(arguments: &ServerArguments, mut config: Config, project: &Project) -> Result<Self, Failure> {
+        let listener = match handed_over()? {
+            Some((listener, address)) => {
+                config.listen = address;
+                listener
+            }
+            None => {
+                arguments.check(config.listen)?;
+                server::listen(config.listen).map_err(|error| not_listening(config.listen, &error))?
+            }
+        };
         let home = project.home.as_deref().unwrap_or(Path::new(""));
         let opened = |file: &str, content: Content| open(home, file, content).map_err(|error| not_written(file, &error));
         let no_thread = |error: io::Error| Failure::usage(Problem::P7103, format!("no thread can be started: {error}"));
@@ -214,6 +223,18 @@ impl Servers {
         let lost: Vec<String> = lost.iter().filter(|(count, _)| *count > 0).map(|(count, what)| format!("{count} {what}")).collect();
         (!lost.is_empty()).then(|| format!("Lost, because the disk was full or too slow: {}.\n", lost.join(", ")))
     }
+}
+
+/// A socket that whoever started this process has made for it, as systemd does; its address was chosen there, and so was who reaches it.
+fn handed_over() -> Result<Option<(TcpListener, SocketAddr)>, Failure> {
+    let wrong =
+        |error: io::Error| Failure::usage(Problem::P7102, format!("the socket that was handed over (LISTEN_FDS) cannot be used: {error}"));
+    let mut handed = ListenFd::from_env();
+    if handed.len() == 0 {
+        return Ok(None);
+    }
+    let listener = handed.take_tcp_listener(0).map_err(wrong)?;
+    listener.map(|listener| listener.local_addr().map(|address| (listener, address)).map_err(wrong)).transpose()
 }
 
 /// Microseconds since 1970.

@@ -64,13 +64,16 @@ impl Running {
     /// Serves the project in a folder, at a port that the system chooses.
     fn of(folder: &Folder, more: &[&str]) -> Self {
         let arguments: Vec<&str> = ["serve", ".", "--json", "--s7", "127.0.0.1:0"].iter().chain(more).copied().collect();
-        let mut child = start(folder, &arguments);
+        Self::started(start(folder, &arguments))
+    }
+
+    fn started(mut child: Child) -> Self {
         let mut stdout = BufReader::new(child.stdout.take().expect("a pipe"));
         let mut line = String::new();
         stdout.read_line(&mut line).expect("UTF-8");
         let listening: Value = serde_json::from_str(&line).unwrap_or_else(|error| {
             let mut stderr = String::new();
-            let _ = child.stderr.take().expect("a pipe").read_to_string(&mut stderr);
+            let _ = child.stderr.take().map(|mut messages| messages.read_to_string(&mut stderr));
             panic!("{error}: {line}{stderr}")
         });
         let address = listening["listening"]["s7"].as_str().expect("an address").parse().expect("an address");
@@ -422,6 +425,24 @@ fn an_address_of_this_computer_alone_needs_no_more_and_every_other_one_does() {
     let exposed = project("[servers.s7]\nlisten = \"0.0.0.0:0\"\n");
     exposed.run(&["serve", ".", "--for", "10ms"]).code(2).stderr("P7100");
     exposed.run(&["serve", ".", "--expose", "s7=0.0.0.0:0", "--for", "10ms"]).code(0);
+}
+
+#[test]
+fn a_socket_that_was_handed_over_is_served() {
+    let folder = project("");
+    let listener = TcpListener::bind("127.0.0.1:0").expect("a port");
+    let address = listener.local_addr().expect("an address");
+    rustix::io::fcntl_setfd(&listener, rustix::io::FdFlags::empty()).expect("a handle that is inherited");
+    let script = format!(
+        "exec 3<&{}; LISTEN_PID=$$ LISTEN_FDS=1 exec '{}' serve . --json",
+        std::os::fd::AsRawFd::as_raw_fd(&listener),
+        env!("CARGO_BIN_EXE_sieben")
+    );
+    let mut shell = Command::new("sh");
+    shell.args(["-c", &script]).current_dir(folder.path()).env("XDG_RUNTIME_DIR", folder.path()).stdout(Stdio::piped());
+    let running = Running::started(shell.spawn().expect("a shell"));
+    assert_eq!(running.address, address);
+    assert_eq!(running.client().read(DATA, 1, 0, 2), Ok(vec![0, 5]));
 }
 
 #[test]

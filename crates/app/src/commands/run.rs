@@ -132,7 +132,7 @@ pub(crate) fn run_as(verb: Verb, mut arguments: RunArguments) -> Result<Exit, Fa
     };
     let always = if verb == Verb::Serve { Always::Yes } else { Always::No };
     let prepared = match arguments.servers.config(&build.project, always)? {
-        Some(config) => Some(Prepared::new(config, &build.project)?),
+        Some(config) => Some(Prepared::new(&arguments.servers, config, &build.project)?),
         None => None,
     };
     let project = &build.project.settings;
