@@ -4,11 +4,13 @@
 
 use std::process::ExitCode;
 
-use xtask::{aarch64, fuzz, generate, soak, test, tidy};
+use xtask::{aarch64, clients, fuzz, generate, soak, test, tidy};
 
 const USAGE: &str = "usage: cargo xtask TASK
 
   test [ARGUMENTS]      build everything and run all tests (arguments go to the test runner)
+  test --all            the same, after `clients`
+  clients               install other people's S7 clients below target/clients/, for the tests
   tidy                  check the house rules: arrows, pages, links, words
   generate              write the generated pages again
   fuzz --seconds N      run all fuzz targets for N seconds together
@@ -33,6 +35,7 @@ fn main() -> ExitCode {
     };
     let outcome = match task {
         "test" => test::run(rest),
+        "clients" => clients::run(),
         "tidy" => tidy::run(),
         "generate" => generate::run(),
         "fuzz" => fuzz::run(rest),

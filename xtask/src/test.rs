@@ -1,9 +1,28 @@
 //! `cargo xtask test`: builds everything and runs all tests.
 
+use std::fs;
+use std::path::PathBuf;
 use std::process::Command;
 
-/// Runs the tests with nextest where it is installed, else with `cargo test`.
+use crate::{clients, workspace};
+
+/// Runs the tests with nextest where it is installed, else with `cargo test`. With `--all` what they can use of other people's programs is installed
+/// first. Says at the end what was skipped.
 pub fn run(arguments: &[String]) -> Result<(), String> {
+    let (all, arguments): (Vec<_>, Vec<_>) = arguments.iter().cloned().partition(|argument| argument == "--all");
+    if !all.is_empty() {
+        clients::run()?;
+    }
+    // What an earlier run skipped.
+    let _ = fs::remove_dir_all(skipped());
+    let outcome = run_tests(&arguments);
+    for line in lines_of_skipped() {
+        println!("{line}");
+    }
+    outcome
+}
+
+fn run_tests(arguments: &[String]) -> Result<(), String> {
     let nextest = Command::new(cargo()).args(["nextest", "--version"]).output().is_ok_and(|output| output.status.success());
     if nextest {
         cargo_run(&["nextest", "run", "--workspace", "--no-fail-fast"], arguments)?;
@@ -14,6 +33,22 @@ pub fn run(arguments: &[String]) -> Result<(), String> {
     }
 }
 
+/// Where a test that lacks a program leaves a file that says so: a test runner shows nothing of what passes.
+fn skipped() -> PathBuf {
+    workspace::root().join("target/skipped")
+}
+
+fn lines_of_skipped() -> Vec<String> {
+    let entries = fs::read_dir(skipped()).into_iter().flatten().flatten();
+    let mut lines: Vec<String> = entries
+        .filter_map(|entry| fs::read_to_string(entry.path()).ok())
+        .flat_map(|text| text.lines().map(str::to_owned).collect::<Vec<_>>())
+        .collect();
+    lines.sort();
+    lines.dedup();
+    lines
+}
+
 fn cargo_run(command: &[&str], arguments: &[String]) -> Result<(), String> {
     println!("cargo {}", command.iter().copied().chain(arguments.iter().map(String::as_str)).collect::<Vec<_>>().join(" "));
     let status = Command::new(cargo()).args(command).args(arguments).status().map_err(|error| format!("cannot start cargo: {error}"))?;
@@ -21,6 +56,6 @@ fn cargo_run(command: &[&str], arguments: &[String]) -> Result<(), String> {
 }
 
 /// The cargo that started us, so that the toolchain stays the same.
-fn cargo() -> String {
+pub(crate) fn cargo() -> String {
     std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned())
 }

@@ -109,6 +109,8 @@ enum Verb {
     Convert(commands::convert::Arguments),
     /// Print the assignment table, or convert symbol tables
     Symbols(commands::symbols::Arguments),
+    /// Print what a client can read and write, and where it lies
+    Tags(commands::tags::Arguments),
     /// Print where every address, timer, counter and block is used
     Refs(commands::refs::Arguments),
     /// Draw networks as ladder or function block diagrams
@@ -153,6 +155,7 @@ fn run(line: CommandLine) -> Exit {
         Some(Verb::Fmt(arguments)) => commands::fmt::run(&arguments),
         Some(Verb::Convert(arguments)) => commands::convert::run(&arguments),
         Some(Verb::Symbols(arguments)) => commands::symbols::run(&arguments),
+        Some(Verb::Tags(arguments)) => commands::tags::run(&arguments),
         Some(Verb::Refs(arguments)) => commands::refs::run(&arguments),
         Some(Verb::Render(arguments)) => commands::render::run(&arguments),
         Some(Verb::Structure(arguments)) => commands::structure::run(&arguments),
@@ -172,8 +175,9 @@ fn run(line: CommandLine) -> Exit {
 /// Whether the command line asks for JSON, as far as that can be said of one that may be wrong.
 fn wants_json() -> bool {
     let arguments: Vec<_> = std::env::args_os().skip(1).take_while(|argument| argument != "--").collect();
-    let format = arguments.windows(2).any(|pair| pair[0] == "--output-format" && pair[1] == "json");
-    format || arguments.iter().any(|argument| argument == "--json" || argument == "--output-format=json")
+    let format = arguments.windows(2).any(|pair| (pair[0] == "--output-format" || pair[0] == "--format") && pair[1] == "json");
+    let words = ["--json", "--output-format=json", "--format=json"];
+    format || arguments.iter().any(|argument| words.iter().any(|word| argument == word))
 }
 
 /// A command line that is not understood, as JSON: on standard output where the list is the result, else where messages go.

@@ -10,7 +10,7 @@ use command::{Folder, sieben};
 
 const ADD: &str = "L MW 0\nL MW 2\n+I\nT MW 4\n";
 /// The verbs whose help has examples.
-const VERBS: [&str; 15] = [
+const VERBS: [&str; 16] = [
     "run",
     "check",
     "exec",
@@ -22,6 +22,7 @@ const VERBS: [&str; 15] = [
     "fmt",
     "convert",
     "symbols",
+    "tags",
     "refs",
     "structure",
     "assignments",

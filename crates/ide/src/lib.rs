@@ -5,6 +5,7 @@ pub mod assignment_list;
 pub mod call_structure;
 pub mod cross_reference;
 pub mod drawing;
+pub mod tags;
 pub mod unused;
 
 pub use sieben_lang::references::target;

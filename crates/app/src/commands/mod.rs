@@ -18,6 +18,7 @@ pub(crate) mod serve;
 pub(crate) mod step;
 pub(crate) mod structure;
 pub(crate) mod symbols;
+pub(crate) mod tags;
 pub(crate) mod test;
 pub(crate) mod top;
 pub(crate) mod trace;
