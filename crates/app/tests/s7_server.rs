@@ -428,6 +428,40 @@ fn an_address_of_this_computer_alone_needs_no_more_and_every_other_one_does() {
 }
 
 #[test]
+fn the_demo_is_served_at_the_next_port_that_is_free() {
+    let folder = Folder::new();
+    let start = || {
+        let mut command = sieben(folder.path(), &["demo", "--s7"]);
+        command.env("XDG_RUNTIME_DIR", folder.path()).stdout(Stdio::null()).stderr(Stdio::piped()).spawn().expect("the binary starts")
+    };
+    // The first one may find the usual port taken already, the second one certainly does.
+    let mut demos: Vec<Child> = vec![start()];
+    let address = |child: &mut Child| {
+        let mut messages = BufReader::new(child.stderr.take().expect("a pipe"));
+        let mut line = String::new();
+        while !line.contains("S7 clients are served at ") {
+            line.clear();
+            assert!(messages.read_line(&mut line).expect("UTF-8") > 0, "the demo has ended");
+        }
+        let text = line.split("served at ").nth(1).and_then(|rest| rest.split(',').next()).expect("an address");
+        text.parse::<SocketAddr>().expect("an address")
+    };
+    let first = address(&mut demos[0]);
+    demos.push(start());
+    let second = address(&mut demos[1]);
+    assert!(second.port() > first.port() && first.port() >= 1102);
+    for to in [first, second] {
+        let mut client = Client::of(TcpStream::connect(to).expect("the demo accepts"));
+        client.set_up();
+        assert!(client.read(0x82, 0, 0, 1).is_ok());
+    }
+    for mut demo in demos {
+        let _ = demo.kill();
+        let _ = demo.wait();
+    }
+}
+
+#[test]
 fn a_socket_that_was_handed_over_is_served() {
     let folder = project("");
     let listener = TcpListener::bind("127.0.0.1:0").expect("a port");
@@ -496,7 +530,7 @@ fn a_link_leads_no_record_out_of_the_project() {
     let folder = project("[servers.s7]\naudit = \"audit.jsonl\"\n");
     folder.write("elsewhere", b"mine");
     std::os::unix::fs::symlink("elsewhere", folder.path().join("audit.jsonl")).expect("a link");
-    folder.run(&["serve", ".", "--for", "10ms"]).code(2).stderr("P7103").stderr("symbolic link");
+    folder.run(&["serve", ".", "--s7", "127.0.0.1:0", "--for", "10ms"]).code(2).stderr("P7103").stderr("symbolic link");
     assert_eq!(folder.read("elsewhere"), b"mine");
 }
 
