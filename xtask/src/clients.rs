@@ -197,6 +197,16 @@ mod tests {
     use super::*;
 
     #[test]
+    fn the_page_about_clients_has_all_of_them_with_their_versions() {
+        let page = fs::read_to_string(workspace::root().join("docs/reference/s7-clients.md")).expect("the page is there");
+        let shown: Vec<&str> = page.lines().filter(|line| line.starts_with("| `")).collect();
+        for client in CLIENTS {
+            let row = format!("| `{}` | {} |", client.package, client.version);
+            assert!(shown.iter().any(|line| line.starts_with(&row)), "{row}");
+        }
+    }
+
+    #[test]
     fn every_client_has_a_script_and_every_script_a_client() {
         let mut wanted: Vec<String> = CLIENTS
             .iter()
