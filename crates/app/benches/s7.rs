@@ -24,7 +24,7 @@ use sieben_comm::config::Config;
 use sieben_comm::recording::Recorders;
 use sieben_comm::s7comm::session::Shared;
 use sieben_comm::server::{Server, Setup, listen};
-use sieben_cpu::Restart;
+use sieben_cpu::{Communication, Restart};
 use sieben_model::cpu_type::CpuType;
 use sieben_workspace::status::Desk;
 use sieben_workspace::{Driver, Gate, Pace, Plant, Speed, Surroundings};
@@ -192,6 +192,7 @@ fn main() {
     let setup = Setup {
         config: Config::default(),
         shared: Shared::default(),
+        names: Communication::default(),
         recorders: Recorders::default(),
         clock: Box::new(move || begin.elapsed().as_micros() as u64),
     };
