@@ -1,7 +1,7 @@
 //! The servers of a run: what the command line and the project say of them, and how they begin and end.
 
 use std::ffi::OsStr;
-use std::io::{self, ErrorKind, Seek, SeekFrom};
+use std::io::{self, ErrorKind, Read, Seek, SeekFrom};
 use std::net::{IpAddr, SocketAddr, TcpListener};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -145,11 +145,17 @@ impl ServerArguments {
     /// Only this computer reaches a server that was not exposed.
     fn check(&self, kind: Kind, listen: SocketAddr) -> Result<(), Failure> {
         let is_ours = |address: IpAddr| address.to_canonical().is_loopback();
-        if is_ours(listen.ip()) || self.expose.contains(&(kind, listen)) {
+        let exposed = self.exposed(kind);
+        if is_ours(listen.ip()) && exposed.is_none() || self.expose.contains(&(kind, listen)) {
             return Ok(());
         }
         let word = kind.word();
-        let message = match (self.exposed(kind), kind) {
+        if let (true, Some(other)) = (is_ours(listen.ip()), exposed) {
+            let message = format!("the server `{word}` would listen at {listen}, for this computer alone, but what `--expose` names is {other}");
+            return Err(Failure::usage(Problem::P7100, message)
+                .help(format!("for others too, `--{word} {other}`; for this computer alone, leave `--expose` out")));
+        }
+        let message = match (exposed, kind) {
             (Some(other), _) => format!("the server `{word}` would listen at {listen}, but what `--expose` names is {other}"),
             (None, Kind::Metrics) => {
                 format!("{listen} can be reached by other computers, and whoever reaches it reads the numbers of this run")
@@ -280,7 +286,8 @@ impl Servers {
     /// Where they listen, in one line, and what that means.
     pub(crate) fn text(&self) -> String {
         let level = match (self.protection, self.has_password) {
-            (ProtectionLevel::Open, _) => "without protection",
+            (ProtectionLevel::Open, false) => "without protection",
+            (ProtectionLevel::Open, true) => "without protection (`password` protects from `protection = 2` on)",
             (ProtectionLevel::WriteProtected, true) => "write protection, with a password",
             (ProtectionLevel::WriteProtected, false) => "write protection, without a password that lifts it",
             (ProtectionLevel::ReadWriteProtected, true) => "read and write protection, with a password",
@@ -350,6 +357,23 @@ enum Content {
     Replaced,
 }
 
+impl Content {
+    /// What files of it begin with.
+    fn begin(self) -> &'static [u8] {
+        match self {
+            Self::Kept => b"{\"",
+            Self::Replaced => b"\x0A\x0D\x0D\x0A",
+        }
+    }
+
+    fn is_other(self) -> &'static str {
+        match self {
+            Self::Kept => "it is there already and is no audit log; move it away, or name another file",
+            Self::Replaced => "it is there already and has no recorded frames (pcapng); move it away, or name another file",
+        }
+    }
+}
+
 /// Opens a file in the folder of the project; no link in it leads elsewhere.
 fn open(home: &Path, file: &str, content: Content) -> io::Result<Sink> {
     let (folders, name) = folder::parts(Path::new(file))?;
@@ -357,7 +381,16 @@ fn open(home: &Path, file: &str, content: Content) -> io::Result<Sink> {
     for part in &folders {
         folder = folder.make(part)?;
     }
-    let mut file = folder.write(OsStr::new(name))?;
+    let name = OsStr::new(name);
+    // A name that was meant otherwise must not cost a source.
+    if folder.holds(name)? {
+        let mut begin = Vec::new();
+        io::Read::take(folder.read(name)?, 4).read_to_end(&mut begin)?;
+        if !begin.is_empty() && !begin.starts_with(content.begin()) {
+            return Err(io::Error::other(content.is_other()));
+        }
+    }
+    let mut file = folder.write(name)?;
     match content {
         Content::Kept => drop(file.seek(SeekFrom::End(0))?),
         Content::Replaced => file.set_len(0)?,

@@ -419,6 +419,10 @@ fn an_address_of_this_computer_alone_needs_no_more_and_every_other_one_does() {
         .run(&["run", ".", "--s7", "0.0.0.0:0", "--expose", "s7=0.0.0.0:1", "--for", "10ms"])
         .code(2)
         .stderr("what `--expose` names is 0.0.0.0:1");
+    folder
+        .run(&["run", ".", "--s7", "127.0.0.1:0", "--expose", "s7=0.0.0.0:1", "--for", "10ms"])
+        .code(2)
+        .stderr("for this computer alone, but what `--expose` names is 0.0.0.0:1");
     folder.run(&["run", ".", "--expose", "s7=0.0.0.0:0", "--for", "10ms"]).code(0).stderr("Other computers reach it");
     folder.run(&["run", "--s7", ".", "--expose", "modbus=0.0.0.0:0"]).code(2).stderr("there is no server `modbus`");
     folder.run(&["run", "--s7", "nowhere"]).code(2).stderr("neither an address nor a file or folder");
@@ -535,6 +539,39 @@ fn a_link_leads_no_record_out_of_the_project() {
 }
 
 #[test]
+fn a_record_takes_no_place_of_a_source() {
+    for key in ["audit", "pcap"] {
+        let folder = project(&format!("[servers.s7]\n{key} = \"main.awl\"\n"));
+        folder
+            .run(&["serve", ".", "--s7", "127.0.0.1:0", "--for", "10ms"])
+            .code(2)
+            .stderr("P7103")
+            .stderr("`main.awl`: it is there already");
+        assert_eq!(folder.read("main.awl"), PROGRAM.as_bytes());
+    }
+}
+
+#[test]
+fn who_sends_nothing_more_gets_the_answer_of_a_start_and_who_is_gone_is_noted() {
+    let folder = project("[servers.s7]\naudit = \"audit.jsonl\"\n");
+    let running = Running::of(&folder, &[]);
+    let (stop, start) = (job(1, b"\x29\0\0\0\0\0\x09P_PROGRAM", &[]), job(2, b"\x28\0\0\0\0\0\0\xFD\0\0\x09P_PROGRAM", &[]));
+    let mut client = running.client();
+    assert_eq!(client.ask(&stop)[17..], [0, 0, 0x29]);
+    client.send(&start);
+    client.stream.shutdown(std::net::Shutdown::Write).expect("a connection");
+    assert_eq!(client.receive().expect("the answer")[17..], [0, 0, 0x28]);
+    let mut client = running.client();
+    assert_eq!(client.ask(&stop)[17..], [0, 0, 0x29]);
+    client.send(&start);
+    drop(client);
+    until("both starts are noted", || {
+        let log = String::from_utf8(folder.read("audit.jsonl")).expect("UTF-8");
+        (log.matches("\"what\":\"start\"").count() == 2).then_some(())
+    });
+}
+
+#[test]
 fn a_server_that_only_reads_refuses_writing() {
     let folder = project("[servers.s7]\nread_only = true\nallow = [\"DB1\"]\n");
     let running = Running::of(&folder, &[]);
@@ -597,6 +634,7 @@ fn retentive_data_survives_the_end_of_a_server() {
     let running = Running::of(&folder, &[]);
     let mut client = running.client();
     assert_eq!(client.write(DATA, 1, 0, &[0x11, 0x22]), 0xFF);
+    assert_eq!(client.bring(9, &data_block(9, &[1, 2])), 0, "which the sources do not have");
     assert_eq!(running.end().0, Some(0));
     let running = Running::of(&folder, &[]);
     assert_eq!(running.client().read(DATA, 1, 0, 2), Ok(vec![0x11, 0x22]));

@@ -197,3 +197,17 @@ fn a_job_that_takes_longer_is_asked_about_every_few_milliseconds_and_not_all_the
     }
     assert!((150..=250).contains(&looks), "{looks} times in a second");
 }
+
+#[test]
+fn what_has_begun_is_noted_although_its_client_is_gone() {
+    let mut side = Side::connected();
+    side.receive(&job(1, STOP));
+    side.receive(&job(2, START));
+    side.receive(b"no frame");
+    assert!(side.session.is_over() && side.session.has_begun());
+    // The time for connecting is over as well, which must not be all that is looked at.
+    side.wait(20_000_000);
+    assert!(!side.session.has_begun() && side.session.wake_us().is_none());
+    let events: Vec<What> = side.shared.events.iter().map(|event| event.what.clone()).collect();
+    assert_eq!(events, [What::Stop, What::Start(Restart::Warm)]);
+}

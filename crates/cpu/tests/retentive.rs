@@ -7,7 +7,8 @@ use std::sync::Arc;
 use script::{Script, Step, cpu, cpu_of, cpu_type, operand};
 use sieben_cpu::retain::{Adoption, Numbers, Refusal};
 use sieben_cpu::{
-    Cpu, DataLoss, DiagnosticEntry, OperatingMode, Rack, Restart, RetainImage, RetentiveAreas, Settings, Station, TimeSource,
+    Cpu, DataLoss, DiagnosticEntry, Loaded, OperatingMode, Rack, Restart, RetainImage, RetentiveAreas, Settings, Station, TimeSource,
+    undeclared,
 };
 use sieben_engine::Program;
 use sieben_model::program::DataBlock;
@@ -83,6 +84,28 @@ fn data_survives_a_power_failure() {
     cpu.restart(Restart::Cold);
     assert_eq!(values(&cpu, &["MW 2", "DB1.DBW 2", "C 3"]), [0, 0x0101, 0]);
     assert!(cpu.retain_image().is_some(), "what a cold restart deleted is deleted in the next image too");
+}
+
+#[test]
+fn data_blocks_that_came_from_outside_do_not_make_it_another_program() {
+    // Number, bytes of what is downloaded; then what is deleted, and what is in DB 1 after the next start.
+    for (put, removed, expected) in [(Some((5, 2)), None, 7), (Some((1, 6)), None, 0x0101), (None, Some(1), 0x0101)] {
+        let mut cpu = with_db(4);
+        cpu.restart(Restart::Warm);
+        cpu.modify(&operand("MW 2"), 7).unwrap();
+        cpu.modify(&operand("DB1.DBW 2"), 7).unwrap();
+        let put = put.map(|(number, bytes)| undeclared(number, vec![3; bytes]));
+        let change = cpu.data_block_change(put.into_iter().collect(), removed.into_iter().collect());
+        let loaded = Loaded::changed(&change, |_, _| Arc::new(Script::new(&[(1, &[])]))).expect("nothing uses it");
+        cpu.change_data_blocks(loaded, &change).expect("the program is the same");
+        cpu.scan(0);
+        let image = cpu.retain_image().unwrap().clone();
+        let mut next = with_db(4);
+        let restored = next.restore(&image, Adoption::SameProgram).expect("the sources are as they were");
+        assert_eq!(restored.initial.is_empty(), expected == 7);
+        next.restart(Restart::Warm);
+        assert_eq!(values(&next, &["MW 2", "DB1.DBW 2"]), [7, expected]);
+    }
 }
 
 #[test]

@@ -202,6 +202,8 @@ impl Rules {
                 refuse_items(assignments, |assignment| self.writing == Writing::Allowed && self.reaches(assignment.variable.area, Changes))
             }
             Job::Start(Restart::Cold) if self.strict && self.cpu.accumulators == 2 => return Err(Refusal::CannotPerform),
+            // They act on all of the memory, and so on what a list keeps closed.
+            Job::MemoryReset | Job::CopyRamToRom if self.allow.is_some() => return Err(Refusal::Protected),
             Job::Upload(name) => self.judge_block(*name, Looks)?,
             Job::Download(download) => self.judge_block(download.name, Changes)?,
             Job::Link(names) | Job::Delete(names) => names.iter().try_for_each(|&name| self.judge_block(name, Changes))?,
@@ -364,6 +366,9 @@ mod tests {
         assert!(judge(Job::Upload(name(BlockType::DataBlock, 20))));
         assert!(!judge(Job::Upload(name(BlockType::DataBlock, 30))));
         assert!(!judge(Job::Delete(vec![name(BlockType::DataBlock, 10), name(BlockType::DataBlock, 20)])));
+        // What acts on all of the memory would go round it; the operating mode is a matter of the protection level.
+        assert!(!judge(Job::MemoryReset) && !judge(Job::CopyRamToRom));
+        assert!(judge(Job::Stop) && judge(Job::Start(Restart::Warm)));
     }
 
     #[test]

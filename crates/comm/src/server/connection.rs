@@ -50,7 +50,8 @@ impl Connection {
     /// Whether nothing more is to be done but closing it.
     pub(super) fn is_done(&self) -> bool {
         let says_nothing = self.session.output().is_empty();
-        self.is_gone || says_nothing && (self.session.is_over() || self.has_ended && !self.session.wants_in())
+        let is_over = self.is_gone || says_nothing && (self.session.is_over() || self.has_ended && self.session.is_idle());
+        is_over && !self.session.has_begun()
     }
 
     /// What is said about it.

@@ -401,6 +401,12 @@ impl EventLoop {
                 leaving.push(connection.number);
                 continue;
             }
+            if connection.is_gone {
+                // It stays for what has begun, and nobody is there any more to be waited for.
+                self.poll.remove(&connection.stream);
+                connection.session.end();
+                continue;
+            }
             let wants = connection.wants();
             if wants != connection.waits_for {
                 match self.poll.modify(&connection.stream, connection.number, wants) {

@@ -96,6 +96,22 @@ fn all_of_a_link_or_nothing_of_it() {
 }
 
 #[test]
+fn data_blocks_come_only_as_long_as_the_load_memory_has_room() {
+    let mut station = Station::new();
+    let mut come = |numbers: std::ops::Range<u16>, bytes: usize| {
+        for number in numbers.clone() {
+            assert!(done(&station.download(number, &vec![0; bytes])));
+        }
+        station.refusal(&Job::Link(numbers.map(data).collect()))
+    };
+    // 8 MiB are 129 times 65,000 bytes, and no 130th time.
+    assert_eq!([come(100..200, 65_000), come(200..229, 65_000)], [None; 2]);
+    assert_eq!(come(229..230, 65_000), Some(Refusal::NoMemory));
+    assert_eq!(come(228..229, 65_002), None, "in place of another one");
+    assert_eq!(come(230..231, 2), None);
+}
+
+#[test]
 fn blocks_are_deleted_unless_code_uses_them() {
     let mut station = Station::new();
     assert!(done(&station.download(7, &[1; 8])));

@@ -122,7 +122,8 @@ impl Cpu {
         DataBlockChange::new(Arc::clone(&self.program), self.cpu_type, put, removed)
     }
 
-    /// The program of a change of data blocks takes over, as [`Self::change_online_taking`]: its data blocks keep no value.
+    /// The program of a change of data blocks takes over, as [`Self::change_online_taking`]: its data blocks keep no value. Retentive data stays
+    /// that of the program that was loaded, which the next start has again: data blocks that came, went or are declared differently now have no part in it.
     ///
     /// # Errors
     /// Why not; then nothing has changed.
@@ -130,7 +131,10 @@ impl Cpu {
         if !Arc::ptr_eq(&self.program, &change.base) {
             return Err(ChangeRefused::OtherProgram);
         }
-        self.change_online_taking(new, &change.taken())
+        let of_sources = Arc::clone(&self.declarations);
+        let made = self.change_online_taking(new, &change.taken())?;
+        self.declarations = Arc::new(of_sources.after_change(&self.declarations));
+        Ok(made)
     }
 
     /// What the program wrote to the load memory goes where the sources bring other values.

@@ -1,6 +1,6 @@
 //! What the bytes of the retentive data blocks mean, as numbers that can be compared: image and program must agree.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use sieben_engine::Program;
 use sieben_model::program::DataBlock;
@@ -15,6 +15,8 @@ pub(crate) struct Declarations {
     pub(crate) hash: u64,
     /// Data blocks of any kind, whose numbers the program cannot create, with their initial values.
     pub(crate) all: BTreeMap<u16, Initial>,
+    /// Retentive data blocks that belong to the hash and were changed from outside since: they are not kept.
+    pub(crate) gone: BTreeSet<u16>,
 }
 
 /// The initial values of a data block, to be compared.
@@ -35,7 +37,21 @@ impl Declarations {
             hash.number(u64::from(number));
             hash.number(declaration);
         }
-        Self { blocks, hash: hash.0, all: program.data.values().map(|block| (block.number, initial(block))).collect() }
+        Self {
+            blocks,
+            hash: hash.0,
+            all: program.data.values().map(|block| (block.number, initial(block))).collect(),
+            gone: BTreeSet::new(),
+        }
+    }
+
+    /// What is kept after data blocks came, went or changed that the sources know nothing of: the data blocks of the sources that are as they were.
+    /// They belong together as before, so that the next start takes them back.
+    pub(crate) fn after_change(&self, now: &Self) -> Self {
+        let is_same = |number: &u16, declaration: &u64| now.blocks.get(number) == Some(declaration);
+        let (same, other): (BTreeMap<u16, u64>, BTreeMap<u16, u64>) = self.blocks.iter().partition(|&(number, hash)| is_same(number, hash));
+        let gone = self.gone.iter().copied().chain(other.into_keys()).collect();
+        Self { blocks: same, hash: self.hash, all: now.all.clone(), gone }
     }
 }
 

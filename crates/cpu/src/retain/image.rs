@@ -11,6 +11,7 @@
 //!   'T' number 2, kind 1, flags 1, value 2, base 1, start 8    a timer; when it was started, by the CPU clock
 //!   'C' number 2, count 2, flags 1                        a counter
 //!   'D' number 2, declaration 8, length 4, bytes          a data block of the program
+//!   'G' number 2                                          a data block of the program that was changed from outside: not kept
 //!   'N' number 2, flags 1, length 4, bytes                a data block that the program made (SFC 22, SFC 85)
 //!   'L' number 2, initial values 8, length 4, bytes       a data block in the load memory that the program wrote (SFC 84)
 //! ```
@@ -58,12 +59,37 @@ impl RetainImage {
 /// One part of an image.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Part<'a> {
-    BitMemory { first: u16, bytes: &'a [u8] },
-    Timer { number: u16, timer: Timer },
-    Counter { number: u16, counter: Counter },
-    DataBlock { number: u16, declaration: u64, bytes: &'a [u8] },
-    Created { number: u16, attributes: Attributes, bytes: &'a [u8] },
-    Loaded { number: u16, initial: u64, bytes: &'a [u8] },
+    BitMemory {
+        first: u16,
+        bytes: &'a [u8],
+    },
+    Timer {
+        number: u16,
+        timer: Timer,
+    },
+    Counter {
+        number: u16,
+        counter: Counter,
+    },
+    DataBlock {
+        number: u16,
+        declaration: u64,
+        bytes: &'a [u8],
+    },
+    Created {
+        number: u16,
+        attributes: Attributes,
+        bytes: &'a [u8],
+    },
+    Loaded {
+        number: u16,
+        initial: u64,
+        bytes: &'a [u8],
+    },
+    /// A data block of the program that was changed from outside, and is not kept.
+    Gone {
+        number: u16,
+    },
 }
 
 /// An image that was read.
@@ -118,6 +144,7 @@ fn part<'a>(reader: &mut Reader<'a>, clock_us: u64) -> Option<Part<'a>> {
             let length = reader.u32()? as usize;
             Part::Loaded { number, initial, bytes: reader.bytes(length)? }
         }
+        b'G' => Part::Gone { number },
         _ => return None,
     })
 }
@@ -186,7 +213,7 @@ pub fn fuzz(bytes: &[u8]) {
             Part::Counter { counter, .. } => {
                 assert_eq!(self::counter(&mut Reader(&counter_bytes(counter))).as_ref(), Some(counter));
             }
-            Part::BitMemory { .. } | Part::DataBlock { .. } | Part::Created { .. } | Part::Loaded { .. } => {}
+            Part::BitMemory { .. } | Part::DataBlock { .. } | Part::Created { .. } | Part::Loaded { .. } | Part::Gone { .. } => {}
         }
     }
 }

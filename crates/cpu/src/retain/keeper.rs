@@ -99,6 +99,9 @@ impl Keeper {
             let at = part(b'D', number, &fields, entry.length as usize);
             self.pieces.push((entry.base as usize..(entry.base + entry.length) as usize, at));
         }
+        for &number in &declarations.gone {
+            part(b'G', number, &[], 0);
+        }
         for &Created { number, base, length, attributes } in &created {
             let mut fields = vec![image::attribute_byte(attributes)];
             fields.extend(length.to_be_bytes());

@@ -128,7 +128,8 @@ pub(crate) fn judge<'a>(
     });
     let has = |number: u16| parts.iter().any(|part| matches!(part, Part::DataBlock { number: other, .. } if *other == number));
     restored.initial = declarations.blocks.keys().copied().filter(|&number| !has(number)).collect();
-    let same = image.layout == declarations.hash && restored.left_out.is_empty() && restored.initial.is_empty();
+    let gone = |number: &u16| parts.iter().any(|part| matches!(part, Part::Gone { number: other } if other == number));
+    let same = image.layout == declarations.hash && restored.left_out.is_empty() && restored.initial.iter().all(gone);
     if !same && adoption == Adoption::SameProgram {
         return Err(Refusal::OtherProgram { left_out: restored.left_out, initial: restored.initial });
     }
@@ -192,5 +193,7 @@ fn put(part: Part<'_>, machine: &mut Machine, state: &mut system_state::State, a
         Part::Loaded { number, bytes, .. } => {
             state.load_memory.insert(number, bytes.to_vec());
         }
+        // It has its initial values, as the machine was cleared.
+        Part::Gone { .. } => {}
     }
 }

@@ -10,7 +10,7 @@ use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::program::DataBlock;
 use sieben_workspace::gate::Plant;
 
-use super::Surroundings;
+use super::{STORED_BYTES_MAX, Surroundings};
 use crate::s7comm::job::{BlockName, BlockPlace, BlockType, Pending, Reply};
 use crate::s7comm::wire::block_image::Image;
 use crate::s7comm::wire::codes::Refusal;
@@ -101,6 +101,7 @@ fn try_link(plant: &mut Plant, around: &mut Surroundings, names: &[BlockName]) -
     };
     let done: Vec<(BlockType, u16)> = names.into_iter().collect();
     if !blocks.iter().all(is_only_values) {
+        has_room(plant, &blocks)?;
         return begin(plant, around, (blocks, BTreeSet::new()), done);
     }
     for block in &blocks {
@@ -111,6 +112,16 @@ fn try_link(plant: &mut Plant, around: &mut Surroundings, names: &[BlockName]) -
         around.stored.forget(block_type, number);
     }
     Ok(Reply::Done)
+}
+
+/// Whether the load memory has room for data blocks that come to those that are there. A program that was larger from the beginning may stay so.
+fn has_room(plant: &Plant, blocks: &[DataBlock]) -> Result<(), Refusal> {
+    let data = &plant.cpu.program().data;
+    let length = |block: &DataBlock| block.image.len();
+    let before: usize = data.values().map(length).sum();
+    let gone: usize = blocks.iter().filter_map(|block| data.get(&block.number)).map(length).sum();
+    let after = before - gone + blocks.iter().map(length).sum::<usize>();
+    if after > STORED_BYTES_MAX.max(before) { Err(Refusal::NoMemory) } else { Ok(()) }
 }
 
 /// The data block that an image means: with the declaration of the one that is there, if the length fits, else bytes without names.

@@ -259,7 +259,10 @@ impl Session {
         // All eight characters are compared, so that the time says nothing about how many are right.
         let differing = tried.iter().zip(expected).fold(0, |differing, (tried, expected)| differing | (tried ^ expected));
         let found = if differing == 0 { Password::Right } else { Password::Wrong };
-        let until_us = shared.passwords.answered_us(self.peer.ip(), found, now_us);
+        let Some(until_us) = shared.passwords.answered_us(self.peer.ip(), found, now_us) else {
+            self.event(shared, reference, What::Password, Refusal::NoResource.code());
+            return Work::Answer(userdata::refuse(reference, address, Refusal::NoResource));
+        };
         match found {
             Password::Right => {
                 self.legitimation = Legitimation::Password;

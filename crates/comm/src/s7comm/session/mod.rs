@@ -206,7 +206,7 @@ impl Session {
             let waiting = self.output.waiting().len();
             self.output.sent(waiting, now_us);
             self.end();
-        } else if passed(setup_us) || passed(self.input.given_up_us()) {
+        } else if !self.is_over() && (passed(setup_us) || passed(self.input.given_up_us())) {
             self.end();
         } else {
             self.go_on(shared, now_us);
@@ -218,10 +218,20 @@ impl Session {
         self.stage == Stage::Over
     }
 
-    /// Ends the connection from our side: what is done is answered, what waits is not done.
+    /// Whether a job has begun that takes longer: what comes of it is noted, even if its client is gone.
+    pub fn has_begun(&self) -> bool {
+        self.queue.has_begun()
+    }
+
+    /// Whether all that was asked has been answered, as far as it has come whole.
+    pub fn is_idle(&self) -> bool {
+        self.queue.is_empty() && self.barrier.is_none()
+    }
+
+    /// Ends the connection from our side: what is done is answered, what has begun goes on, what waits is not done.
     pub fn end(&mut self) {
         self.stage = Stage::Over;
-        self.queue = Queue::default();
+        self.queue.keep_begun();
         self.barrier = None;
         self.download = None;
         self.uploads = Uploads::default();

@@ -6,6 +6,8 @@ use std::net::IpAddr;
 const FIRST_US: u64 = 100_000;
 /// The most that a wrong password costs, in microseconds.
 const COST_US_MAX: u64 = 3_000_000;
+/// A password that would have to wait longer than this is not looked at, in microseconds: a flood closes the line for a moment, not for hours.
+const LINE_US_MAX: u64 = 30_000_000;
 /// After so many microseconds without a wrong password an address begins again.
 const FORGOTTEN_AFTER_US: u64 = 600_000_000;
 /// Addresses that are remembered; of more the one goes that has waited longest.
@@ -38,12 +40,15 @@ struct Tries {
 
 impl WrongPasswords {
     /// When a password is answered that came now. Those of an address wait for one another, over all its connections: the answer to the right one
-    /// waits as well, or many connections would guess faster than one.
-    pub fn answered_us(&mut self, address: IpAddr, password: Password, now_us: u64) -> u64 {
+    /// waits as well, or many connections would guess faster than one. `None`: the line is too long, and nobody learns whether it was the right one.
+    pub fn answered_us(&mut self, address: IpAddr, password: Password, now_us: u64) -> Option<u64> {
         let address = address.to_canonical();
         self.addresses.retain(|tries| now_us < tries.until_us.saturating_add(FORGOTTEN_AFTER_US));
         let known = self.addresses.iter().position(|tries| tries.address == address);
         let begin_us = known.and_then(|at| self.addresses.get(at)).map_or(now_us, |tries| tries.until_us.max(now_us));
+        if begin_us.saturating_sub(now_us) > LINE_US_MAX {
+            return None;
+        }
         match (password, known) {
             (Password::Right, None) => {}
             (Password::Right, Some(at)) => drop(self.addresses.swap_remove(at)),
@@ -62,10 +67,10 @@ impl WrongPasswords {
                     self.addresses.swap_remove(oldest);
                 }
                 self.addresses.push(tries);
-                return until_us;
+                return Some(until_us);
             }
         }
-        begin_us
+        Some(begin_us)
     }
 }
 
@@ -84,7 +89,7 @@ mod tests {
         let mut now_us = 1_000;
         let costs: Vec<u64> = (0..70)
             .map(|_| {
-                let answered_us = table.answered_us(A, Password::Wrong, now_us);
+                let answered_us = table.answered_us(A, Password::Wrong, now_us).expect("one after the other");
                 let cost = answered_us - now_us;
                 now_us = answered_us;
                 cost / 1000
@@ -97,11 +102,20 @@ mod tests {
     #[test]
     fn passwords_of_an_address_wait_for_one_another_and_those_of_others_do_not() {
         let mut table = WrongPasswords::default();
-        assert_eq!(table.answered_us(A, Password::Wrong, 0), 100_000);
-        assert_eq!(table.answered_us(A, Password::Wrong, 0), 300_000);
-        assert_eq!(table.answered_us(B, Password::Right, 0), 0);
-        assert_eq!(table.answered_us(A, Password::Right, 10), 300_000);
-        assert_eq!(table.answered_us(A, Password::Wrong, 300_000), 400_000);
+        assert_eq!(table.answered_us(A, Password::Wrong, 0), Some(100_000));
+        assert_eq!(table.answered_us(A, Password::Wrong, 0), Some(300_000));
+        assert_eq!(table.answered_us(B, Password::Right, 0), Some(0));
+        assert_eq!(table.answered_us(A, Password::Right, 10), Some(300_000));
+        assert_eq!(table.answered_us(A, Password::Wrong, 300_000), Some(400_000));
+    }
+
+    #[test]
+    fn a_flood_of_passwords_closes_the_line_for_half_a_minute_and_not_for_hours() {
+        let mut table = WrongPasswords::default();
+        let waits = (0..10_000).filter(|_| table.answered_us(A, Password::Wrong, 0).is_some()).count();
+        assert_eq!(waits, 14, "0.1 + 0.2 + 0.4 + 0.8 + 1.6 and nine times 3 s");
+        assert_eq!(table.answered_us(A, Password::Right, 0), None, "the right one is not told apart");
+        assert_eq!(table.answered_us(A, Password::Right, 4_000_000), Some(30_100_000));
     }
 
     #[test]

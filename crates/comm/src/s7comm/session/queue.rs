@@ -95,6 +95,16 @@ impl Queue {
         matches!(self.tasks.front(), Some(Task { work: Work::Ready { .. } | Work::Pending { is_due: Due::Now, .. }, .. }))
     }
 
+    /// Whether the first one has begun and takes longer.
+    pub(super) fn has_begun(&self) -> bool {
+        matches!(self.tasks.front(), Some(Task { work: Work::Pending { .. }, .. }))
+    }
+
+    /// Forgets what has not begun.
+    pub(super) fn keep_begun(&mut self) {
+        self.tasks.truncate(usize::from(self.has_begun()));
+    }
+
     pub(super) fn is_empty(&self) -> bool {
         self.tasks.is_empty()
     }

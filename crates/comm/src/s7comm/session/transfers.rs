@@ -134,9 +134,13 @@ impl Incoming {
         Ok(Self { announced, image: Vec::new(), stage: Stage::Pieces, reference, until_us })
     }
 
-    /// Whether the client has not answered for too long.
+    /// Whether another one may begin: the client has been told that this one is complete, or has not answered for too long.
     pub(super) fn is_given_up(&self, now_us: u64) -> bool {
-        self.stage != Stage::Storing && now_us >= self.until_us
+        match self.stage {
+            Stage::Pieces => now_us >= self.until_us,
+            Stage::Storing => false,
+            Stage::Ending => true,
+        }
     }
 
     /// The job of the CPU that is asked next.
@@ -152,12 +156,15 @@ impl Incoming {
         if self.stage == Stage::Ending {
             return Step::Over;
         }
-        let Ok((piece, more)) = transfer::read_piece(message) else { return Step::Over };
-        self.image.extend_from_slice(piece);
-        if self.image.len() > self.announced.load_bytes as usize {
-            return Step::Over;
-        }
         self.reference = reference;
+        let (piece, more) = match transfer::read_piece(message) {
+            Ok((piece, _)) if self.image.len() + piece.len() > self.announced.load_bytes as usize => {
+                return self.fail(Refusal::BlockLengths, now_us);
+            }
+            Ok(piece) => piece,
+            Err(refusal) => return self.fail(refusal, now_us),
+        };
+        self.image.extend_from_slice(piece);
         self.until_us = now_us.saturating_add(WAIT_US_MAX);
         if more == More::Follow {
             return Step::Ask(self.ask());
@@ -165,6 +172,12 @@ impl Incoming {
         self.stage = Stage::Storing;
         let Announced { name, load_bytes, code_bytes } = self.announced;
         Step::Complete(Download { name, image: std::mem::take(&mut self.image), load_bytes, code_bytes })
+    }
+
+    /// The client hears at once that nothing comes of it.
+    fn fail(&mut self, refusal: Refusal, now_us: u64) -> Step {
+        self.image = Vec::new();
+        Step::Ask(self.stored(Some(refusal), now_us))
     }
 
     /// The block is stored, or not: the job of the CPU that says so.

@@ -28,6 +28,8 @@ const SIZE_CODE_MAX: u8 = 10;
 pub const ADDRESS_UNKNOWN: u8 = 3;
 /// The reason in a disconnect request: too many connections.
 pub const CONGESTION: u8 = 1;
+/// Bytes of the name of an endpoint. Connections through subnets have 28, and both fit into the head of a confirmation.
+const ENDPOINT_BYTES_MAX: usize = 64;
 /// Our reference.
 const OWN_REFERENCE: u16 = 1;
 
@@ -134,6 +136,7 @@ fn connect_request(source: u16, mut parameters: &[u8]) -> Result<ConnectRequest<
         match (*code, value) {
             (parameter::SIZE, [size]) if *size >= SIZE_CODE_MIN => request.size_code = (*size).min(SIZE_CODE_MAX),
             (parameter::SIZE, _) => return Err(Broken),
+            (parameter::CALLING | parameter::CALLED, value) if value.len() > ENDPOINT_BYTES_MAX => return Err(Broken),
             (parameter::CALLING, value) => request.calling = value,
             (parameter::CALLED, value) => request.called = value,
             _ => {}
@@ -219,6 +222,21 @@ mod tests {
         ];
         for tpdu in broken {
             assert_eq!(read(tpdu), Err(Broken), "{tpdu:02X?}");
+        }
+    }
+
+    #[test]
+    fn a_confirmation_has_room_for_every_request_that_is_taken() {
+        for length in [28, 64, 65, 247] {
+            let tpdu = [&[8 + length, 0xE0, 0, 0, 0, 1, 0, 0xC2, length][..], &vec![7; usize::from(length)]].concat();
+            match read(&tpdu) {
+                Ok(Tpdu::ConnectRequest(request)) => {
+                    let mut out = Vec::new();
+                    connect_confirm(&mut out, &request);
+                    assert_eq!(usize::from(out[0]) + 1, out.len());
+                }
+                other => assert_eq!((other, length > 64), (Err(Broken), true)),
+            }
         }
     }
 }
