@@ -151,7 +151,8 @@ impl ServerArguments {
         }
         let word = kind.word();
         if let (true, Some(other)) = (is_ours(listen.ip()), exposed) {
-            let message = format!("the server `{word}` would listen at {listen}, for this computer alone, but what `--expose` names is {other}");
+            let message =
+                format!("the server `{word}` would listen at {listen}, for this computer alone, but what `--expose` names is {other}");
             return Err(Failure::usage(Problem::P7100, message)
                 .help(format!("for others too, `--{word} {other}`; for this computer alone, leave `--expose` out")));
         }
