@@ -12,7 +12,7 @@ use sieben_jit::StatusBits;
 use crate::engines::EngineArgument;
 use crate::panics;
 
-/// Changes that wait for the thread; whoever asks for more is refused. Each of them holds the values of its data blocks.
+/// Changes that wait for the thread; one more is refused. Each of them holds the values of its data blocks.
 const CHANGES_MAX: usize = 8;
 
 /// What comes of a change.
@@ -36,7 +36,7 @@ impl Preparing {
                     Ok(Loaded::changed(&change, |program, layout| engine.at_once().load(program, layout, StatusBits::Needed)))
                 });
                 if let Ok(outcome) = outcome {
-                    // Whoever asked may have given it up.
+                    // The client may have given it up.
                     let _ = sender.send(outcome);
                 }
             }

@@ -112,7 +112,7 @@ impl ServerArguments {
         Ok(Some(config))
     }
 
-    /// The address of the S7 server of a run without a project; `None` if nobody asked for one.
+    /// The address of the S7 server of a run without a project; `None` if none was asked for.
     fn alone(&self) -> Result<Option<SocketAddr>, Failure> {
         match self.s7.as_deref() {
             Some(word) if !word.is_empty() => address(word).map(Some).ok_or_else(|| {
@@ -159,10 +159,10 @@ impl ServerArguments {
         let message = match (exposed, kind) {
             (Some(other), _) => format!("the server `{word}` would listen at {listen}, but what `--expose` names is {other}"),
             (None, Kind::Metrics) => {
-                format!("{listen} can be reached by other computers, and whoever reaches it reads the numbers of this run")
+                format!("{listen} can be reached by other computers, and every client reads the numbers of this run")
             }
             (None, Kind::S7) => format!(
-                "{listen} can be reached by other computers, and S7 has no encryption: who reaches it reads, writes and stops this CPU"
+                "{listen} can be reached by other computers, and S7 has no encryption: every client reads, writes and stops this CPU"
             ),
         };
         Err(Failure::usage(Problem::P7100, message).help(format!(
@@ -172,7 +172,7 @@ impl ServerArguments {
     }
 }
 
-/// Whether there is a server although nobody asked for one.
+/// Whether there is a server although none was asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Always {
     /// A run, which has servers only if it is told so.
@@ -224,7 +224,7 @@ impl Prepared {
         Ok(Self { listener, config, recorders: Recorders { audit, frames }, names: names(project) })
     }
 
-    /// Listens for the demo, at the next free port if nobody named one and the usual one is taken.
+    /// Listens for the demo, at the next free port if none was named and the usual one is taken.
     pub(crate) fn of_demo(arguments: &ServerArguments) -> Result<Option<Self>, Failure> {
         let Some(wanted) = arguments.alone()? else { return Ok(None) };
         arguments.check(Kind::S7, wanted)?;
@@ -331,7 +331,7 @@ impl Servers {
     }
 }
 
-/// A socket that whoever started this process has made for it, as systemd does; its address was chosen there, and so was who reaches it.
+/// A socket that was made for this process, as systemd does; its address was chosen there, and so was who reaches it.
 fn handed_over() -> Result<Option<(TcpListener, SocketAddr)>, Failure> {
     let wrong =
         |error: io::Error| Failure::usage(Problem::P7102, format!("the socket that was handed over (LISTEN_FDS) cannot be used: {error}"));

@@ -18,7 +18,7 @@ use serde_json::Value;
 
 /// Far more than any client takes, also on a busy machine.
 const DEADLINE: Duration = Duration::from_secs(180);
-/// Settings of a server that lets nobody stop it without the password.
+/// Settings of a server whose CPU is stopped only with the password.
 const PROTECTED: &str = "\n[servers.s7]\nprotection = 3\npassword = \"secret\"\n";
 
 fn root() -> PathBuf {
@@ -158,7 +158,7 @@ fn all_checks_hold(client: &str, runs: Runs, mode: &str, served: &Served) {
     assert!(output.status.success() && checks.last().is_some_and(|check| check["check"] == "end"), "{said}");
 }
 
-/// All that a client offers, and, where it has a password, behind one.
+/// Runs the script of a client in each of these modes: without protection, and with a password.
 fn client(client: &str, runs: Runs, modes: &[&str]) {
     if !is_there(client, runs) {
         return;

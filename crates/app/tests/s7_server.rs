@@ -108,7 +108,7 @@ impl Drop for Running {
     }
 }
 
-/// Somebody who speaks the protocol.
+/// A client that speaks the protocol.
 struct Client {
     stream: TcpStream,
     reference: u16,
@@ -293,7 +293,7 @@ fn what_is_no_telegram_ends_its_own_connection_only() {
         assert_eq!(client.receive(), Err(End::InOrder), "{garbage:?}");
         assert_eq!(other.read(DATA, 1, 0, 2), Ok(vec![0, 5]));
     }
-    // Half a telegram holds up nobody.
+    // Half a telegram holds up no other client.
     let mut half = Client::of(TcpStream::connect(running.address).expect("the server accepts"));
     half.send(&CONNECT[..9]);
     assert_eq!(other.read(DATA, 1, 0, 2), Ok(vec![0, 5]));

@@ -197,7 +197,7 @@ pub(crate) fn run_as(verb: Verb, mut arguments: RunArguments) -> Result<Exit, Fa
         facts.set_clients(servers.clients(&gate));
         match arguments.json {
             false => output::message(&servers.text()),
-            // Whoever waits for the server reads this line.
+            // A program that waits for the server reads this line.
             true if verb == Verb::Serve => output::print_json(&json!({ "listening": servers.json() }), false)?,
             true => {}
         }

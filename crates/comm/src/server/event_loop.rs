@@ -22,7 +22,8 @@ use crate::recording::audit::{At, Audit, Change};
 use crate::recording::frames::Direction;
 use crate::s7comm::guard::{Rules, Writing};
 use crate::s7comm::session::{Session, Shared};
-use crate::s7comm::wire::cotp::Partner;
+use crate::s7comm::wire::cotp::{self, Partner};
+use crate::s7comm::wire::tpkt;
 
 /// What the handles are waited for as; connections are numbered from 1.
 const LISTENER: u64 = 0;
@@ -39,8 +40,8 @@ const CLOSING_US: u64 = 1_000_000;
 const CLOSING_MAX: usize = 64;
 /// Shortest wait for a moment that has passed already, in microseconds: what is due is done in the next iteration, and no mistake makes it spin.
 const PATIENCE_US: u64 = 100;
-/// The disconnect request of COTP: no reason given. Who was refused has not said its reference yet.
-const DISCONNECT: [u8; 11] = [3, 0, 0, 11, 6, 0x80, 0, 0, 0, 0, 0];
+/// The reference of a client that has not said its own yet.
+const NO_REFERENCE: u16 = 0;
 
 /// The loop of a server.
 pub(super) struct EventLoop {
@@ -227,8 +228,10 @@ impl EventLoop {
         if is_full {
             self.counters.refused += 1;
             self.note(peer, Change::Refused, now_us);
+            let mut refusal = Vec::new();
+            tpkt::frame(&mut refusal, |out| cotp::disconnect_request(out, NO_REFERENCE, cotp::CONGESTION));
             // Eleven bytes fit into the buffer of a socket that is new.
-            let _ = sockets::write(&stream, &DISCONNECT);
+            let _ = sockets::write(&stream, &refusal);
             self.close(number, stream, now_us);
             return;
         }
@@ -237,7 +240,9 @@ impl EventLoop {
         }
         self.counters.connections += 1;
         self.note(peer, Change::Connected, now_us);
-        let flow = self.recorders.frames.as_ref().map(|frames| frames.begin(peer, self.address.ip(), (self.clock)()));
+        // A server that listens at all addresses was reached at one of them.
+        let reached = stream.local_addr().unwrap_or(self.address).ip();
+        let flow = self.recorders.frames.as_ref().map(|frames| frames.begin(peer, reached, (self.clock)()));
         let connection = Connection {
             number,
             session: Session::new(Arc::clone(self.rules()), peer, now_us),
@@ -402,7 +407,7 @@ impl EventLoop {
                 continue;
             }
             if connection.is_gone {
-                // It stays for what has begun, and nobody is there any more to be waited for.
+                // It stays for what has begun; its socket has nothing more to be waited for.
                 self.poll.remove(&connection.stream);
                 connection.session.end();
                 continue;
@@ -451,7 +456,7 @@ impl EventLoop {
         self.closing.push_back((number, closing));
     }
 
-    /// The server ends: nobody is accepted any more, and all connections are closed in order.
+    /// The server ends: no client is accepted any more, and all connections are closed in order.
     fn end(&mut self) {
         if let Some(listener) = self.listener.take() {
             self.poll.remove(&listener);

@@ -64,7 +64,7 @@ impl Common {
 /// Listens at an address.
 ///
 /// # Errors
-/// Somebody else listens there, or this process may not.
+/// Another program listens there, or this process may not.
 pub fn listen(address: SocketAddr) -> io::Result<TcpListener> {
     TcpListener::bind(address)
 }

@@ -166,7 +166,7 @@ impl CurrentFacts {
 
     /// From now on this tells the clients of servers; what was said first holds.
     pub fn set_clients(&self, clients: Clients) {
-        // Whoever comes second has nothing to add.
+        // The second call has nothing to add.
         let _ = self.clients.set(clients);
     }
 

@@ -337,7 +337,7 @@ impl Reader {
         }
     }
 
-    /// The name of a file that lies in the folder of the project, whoever wrote the project.
+    /// The name of a file that lies in the folder of the project: one of a stranger writes nowhere else.
     fn file(&mut self, value: &Value<'_>, name: &str, example: &str) -> Option<String> {
         let file = match value.get_ref() {
             DeValue::String(text) => text.as_ref(),

@@ -16,11 +16,6 @@ use crate::s7comm::wire::transfer::{self, function};
 use crate::s7comm::wire::userdata::{self, Address, Content, group};
 use crate::s7comm::wire::{blocks, clock, services, setup, system_status, variables};
 
-/// Function codes of services, and of a stop.
-const SERVICE: u8 = 0x28;
-const STOP: u8 = 0x29;
-/// Subfunction of system status lists in their group.
-const READ_LIST: u8 = 1;
 /// Subfunctions of cyclic data: begin, begin on change, end, change.
 const CYCLIC_BEGIN: u8 = 1;
 const CYCLIC_BEGIN_ON_CHANGE: u8 = 5;
@@ -84,7 +79,7 @@ impl Session {
                 count(Function::Write);
                 (Job::Write(variables::write_request(parameters, message.data)?), Form::Variables)
             }
-            SERVICE | STOP => {
+            services::SERVICE | services::STOP => {
                 let job = services::read(parameters).inspect_err(|_| count(Function::Other))?;
                 count(Function::of(&job));
                 (job, Form::Service)
@@ -173,7 +168,7 @@ impl Session {
         let job = match (address.group, address.subfunction) {
             (group::BLOCKS, subfunction) => blocks::read(subfunction, data),
             (group::CLOCK, subfunction) => clock::read(subfunction, data),
-            (group::CPU, READ_LIST) => system_status::read(address.subfunction, data),
+            (group::CPU, subfunction) => system_status::read(subfunction, data),
             (group::SECURITY, subfunction) => {
                 shared.requests.count(Function::Password);
                 return match security::read(subfunction, data) {
@@ -181,8 +176,7 @@ impl Session {
                     Err(refusal) => refuse(refusal),
                 };
             }
-            // Messages of the CPU, variable status, force and cyclic data do not exist here.
-            (group::CPU, _) => Err(Refusal::ListNotAvailable),
+            // Variable status, force and cyclic data do not exist here.
             (group::TEST, _) => Err(Refusal::TestNotSupported),
             (group::CYCLIC, CYCLIC_BEGIN | CYCLIC_BEGIN_ON_CHANGE) => Err(Refusal::TooManyCyclicJobs),
             (group::CYCLIC, CYCLIC_END | CYCLIC_CHANGE) => Err(Refusal::NoCyclicJob),

@@ -40,7 +40,7 @@ struct Tries {
 
 impl WrongPasswords {
     /// When a password is answered that came now. Those of an address wait for one another, over all its connections: the answer to the right one
-    /// waits as well, or many connections would guess faster than one. `None`: the line is too long, and nobody learns whether it was the right one.
+    /// waits as well, or many connections would guess faster than one. `None`: the line is too long, and the client does not learn whether it was the right one.
     pub fn answered_us(&mut self, address: IpAddr, password: Password, now_us: u64) -> Option<u64> {
         let address = address.to_canonical();
         self.addresses.retain(|tries| now_us < tries.until_us.saturating_add(FORGOTTEN_AFTER_US));

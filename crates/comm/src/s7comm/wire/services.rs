@@ -6,9 +6,10 @@ use super::codes::Refusal;
 use super::names;
 use crate::s7comm::job::{BlockName, Job, Reply};
 
-/// Function codes.
-const SERVICE: u8 = 0x28;
-const STOP: u8 = 0x29;
+/// Function code of a service.
+pub const SERVICE: u8 = 0x28;
+/// Function code of a stop.
+pub const STOP: u8 = 0x29;
 /// What stands before the arguments of a service.
 const BEFORE_ARGUMENTS: u8 = 0xFD;
 /// The program as a whole, which is started and stopped.

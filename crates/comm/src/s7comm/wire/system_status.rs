@@ -13,7 +13,8 @@ const READ_LIST: u8 = 1;
 /// Why it is refused.
 pub fn read(subfunction: u8, data: &[u8]) -> Result<Job, Refusal> {
     if subfunction != READ_LIST {
-        return Err(Refusal::NotImplemented);
+        // This CPU sends no messages.
+        return Err(Refusal::ListNotAvailable);
     }
     let &[id_1, id_2, index_1, index_2] = data else { return Err(Refusal::ListSyntax) };
     Ok(Job::SystemStatus { id: u16::from_be_bytes([id_1, id_2]), index: u16::from_be_bytes([index_1, index_2]) })
@@ -51,7 +52,7 @@ mod tests {
 
     #[test]
     fn other_requests_of_the_group_are_refused() {
-        assert_eq!(read(2, &[0; 10]), Err(Refusal::NotImplemented));
+        assert_eq!(read(2, &[0; 10]), Err(Refusal::ListNotAvailable));
         for data in [&[][..], &[0, 0, 0], &[0; 5]] {
             assert_eq!(read(1, data), Err(Refusal::ListSyntax));
         }
