@@ -33,6 +33,8 @@ use crate::failure::Failure;
 use crate::folder::{self, Folder};
 use crate::linking::Preparing;
 
+/// Ports after the usual one that the demo tries.
+const PORTS_MAX: u16 = 20;
 /// First port that needs no right of its own.
 const FREE_PORTS: u16 = 1024;
 
@@ -80,6 +82,18 @@ impl ServerArguments {
         let of_file = file.and_then(|file| file.listen).map(|(address, _)| address);
         config.listen = named.or(of_file).or(self.expose.last().copied()).unwrap_or(LISTEN);
         Ok(Some(config))
+    }
+
+    /// The address of the S7 server of a run without a project; `None` if nobody asked for one.
+    fn alone(&self) -> Result<Option<SocketAddr>, Failure> {
+        match self.s7.as_deref() {
+            Some(word) if !word.is_empty() => address(word).map(Some).ok_or_else(|| {
+                Failure::usage(Problem::P7001, format!("`{word}` is no address with a port"))
+                    .help("write `--s7 127.0.0.1:1102`, or `--s7` alone")
+            }),
+            None if self.expose.is_empty() => Ok(None),
+            _ => Ok(Some(self.expose.last().copied().unwrap_or(LISTEN))),
+        }
     }
 
     /// Only this computer reaches a server that was not exposed.
@@ -151,6 +165,25 @@ impl Prepared {
             None => None,
         };
         Ok(Self { listener, config, recorders: Recorders { audit, frames }, names: names(project) })
+    }
+
+    /// Listens for the demo, at the next free port if nobody named one and the usual one is taken.
+    pub(crate) fn of_demo(arguments: &ServerArguments) -> Result<Option<Self>, Failure> {
+        let Some(wanted) = arguments.alone()? else { return Ok(None) };
+        arguments.check(wanted)?;
+        let is_usual = wanted == LISTEN;
+        let ports = wanted.port()..=wanted.port().saturating_add(if is_usual { PORTS_MAX } else { 0 });
+        let mut listening = Err(io::Error::from(ErrorKind::AddrInUse));
+        for port in ports {
+            listening = server::listen(SocketAddr::new(wanted.ip(), port));
+            if !matches!(&listening, Err(error) if error.kind() == ErrorKind::AddrInUse) {
+                break;
+            }
+        }
+        let listener = listening.map_err(|error| not_listening(wanted, &error))?;
+        let config = Config { listen: wanted, ..Config::default() };
+        let names = Communication { system_name: "Dosing".to_owned(), plant_name: "Sieben demo".to_owned(), ..Communication::default() };
+        Ok(Some(Self { listener, config, recorders: Recorders::default(), names }))
     }
 
     /// Begins to serve.

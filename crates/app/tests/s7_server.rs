@@ -428,6 +428,40 @@ fn an_address_of_this_computer_alone_needs_no_more_and_every_other_one_does() {
 }
 
 #[test]
+fn the_demo_is_served_at_the_next_port_that_is_free() {
+    let folder = Folder::new();
+    let start = || {
+        let mut command = sieben(folder.path(), &["demo", "--s7"]);
+        command.env("XDG_RUNTIME_DIR", folder.path()).stdout(Stdio::null()).stderr(Stdio::piped()).spawn().expect("the binary starts")
+    };
+    // The first one may find the usual port taken already, the second one certainly does.
+    let mut demos: Vec<Child> = vec![start()];
+    let address = |child: &mut Child| {
+        let mut messages = BufReader::new(child.stderr.take().expect("a pipe"));
+        let mut line = String::new();
+        while !line.contains("S7 clients are served at ") {
+            line.clear();
+            assert!(messages.read_line(&mut line).expect("UTF-8") > 0, "the demo has ended");
+        }
+        let text = line.split("served at ").nth(1).and_then(|rest| rest.split(',').next()).expect("an address");
+        text.parse::<SocketAddr>().expect("an address")
+    };
+    let first = address(&mut demos[0]);
+    demos.push(start());
+    let second = address(&mut demos[1]);
+    assert!(second.port() > first.port() && first.port() >= 1102);
+    for to in [first, second] {
+        let mut client = Client::of(TcpStream::connect(to).expect("the demo accepts"));
+        client.set_up();
+        assert!(client.read(0x82, 0, 0, 1).is_ok());
+    }
+    for mut demo in demos {
+        let _ = demo.kill();
+        let _ = demo.wait();
+    }
+}
+
+#[test]
 fn a_socket_that_was_handed_over_is_served() {
     let folder = project("");
     let listener = TcpListener::bind("127.0.0.1:0").expect("a port");
@@ -496,7 +530,7 @@ fn a_link_leads_no_record_out_of_the_project() {
     let folder = project("[servers.s7]\naudit = \"audit.jsonl\"\n");
     folder.write("elsewhere", b"mine");
     std::os::unix::fs::symlink("elsewhere", folder.path().join("audit.jsonl")).expect("a link");
-    folder.run(&["serve", ".", "--for", "10ms"]).code(2).stderr("P7103").stderr("symbolic link");
+    folder.run(&["serve", ".", "--s7", "127.0.0.1:0", "--for", "10ms"]).code(2).stderr("P7103").stderr("symbolic link");
     assert_eq!(folder.read("elsewhere"), b"mine");
 }
 
@@ -541,4 +575,81 @@ fn retentive_data_survives_the_end_of_a_server() {
     assert_eq!(running.end().0, Some(0));
     let running = Running::of(&folder, &[]);
     assert_eq!(running.client().read(DATA, 1, 0, 2), Ok(vec![0x11, 0x22]));
+}
+
+/// The image of a data block with these values.
+fn data_block(number: u8, values: &[u8]) -> Vec<u8> {
+    let [bytes, load] = [values.len(), values.len() + 72].map(|length| (length as u32).to_be_bytes());
+    let header = [&b"pp\x01\x01\x05\x0A\x00"[..], &[number], &load, &[0; 16], &[0; 6], &bytes[2..]].concat();
+    [&header, values, &[0; 36]].concat()
+}
+
+impl Client {
+    /// Downloads a data block in pieces and links it; the error of the last answer.
+    fn bring(&mut self, number: u8, image: &[u8]) -> u16 {
+        let announced = format!("\x09_0A{number:05}P\x0D1{:06}{:06}", image.len(), image.len() - 72);
+        let reference = self.next();
+        let answer = self.ask(&job(reference, &[&[0x1A, 0, 1, 0, 0, 0, 0, 0], announced.as_bytes()].concat(), &[]));
+        assert_eq!(answer[17..], [0, 0, 0x1A]);
+        for (index, piece) in image.chunks(200).enumerate() {
+            let asked = self.receive().expect("the CPU asks for a piece");
+            assert_eq!(asked[17], 0x1B);
+            let follows = u8::from((index + 1) * 200 < image.len());
+            let data = [&(piece.len() as u16).to_be_bytes()[..], &[0, 0xFB], piece].concat();
+            self.send(&reply(&asked, &[0x1B, follows], &data));
+        }
+        let ended = self.receive().expect("the CPU has all of it");
+        assert_eq!(ended[17..21], [0x1C, 0, 0, 0]);
+        self.send(&reply(&ended, &[0x1C], &[]));
+        self.service(number, 'P', "_INSE")
+    }
+
+    /// Has a data block linked or deleted; the error of the answer.
+    fn service(&mut self, number: u8, place: char, service: &str) -> u16 {
+        let arguments = format!("\x01\x000A{number:05}{place}\x05{service}");
+        let reference = self.next();
+        let answer = self.ask(&job(reference, &[&[0x28, 0, 0, 0, 0, 0, 0, 0xFD, 0, 10], arguments.as_bytes()].concat(), &[]));
+        u16::from_be_bytes([answer[17], answer[18]])
+    }
+}
+
+/// The answer of a client to a job of the CPU.
+fn reply(asked: &[u8], parameters: &[u8], data: &[u8]) -> Vec<u8> {
+    let mut frame = job(u16::from_be_bytes([asked[11], asked[12]]), parameters, data);
+    frame[8] = 3;
+    frame.splice(17..17, [0, 0]);
+    let length = frame.len() as u16;
+    frame[2..4].copy_from_slice(&length.to_be_bytes());
+    frame
+}
+
+#[test]
+fn data_blocks_come_grow_and_go_while_the_program_runs() {
+    let folder = project("");
+    let running = Running::of(&folder, &["--engine", "jit"]);
+    let [mut client, mut other] = [running.client(), running.client()];
+    let scans = |client: &mut Client| client.read(MEMORY, 0, 10, 2).map(|bytes| u16::from_be_bytes([bytes[0], bytes[1]]));
+    let before = scans(&mut other).expect("MW 10");
+    assert_eq!(client.bring(9, &data_block(9, &[1, 2, 3, 4])), 0);
+    assert_eq!(other.read(DATA, 9, 0, 4), Ok(vec![1, 2, 3, 4]));
+    let longer: Vec<u8> = (0..500).map(|byte| byte as u8).collect();
+    assert_eq!(client.bring(1, &data_block(1, &longer)), 0);
+    assert_eq!(other.read(DATA, 1, 490, 4), Ok(longer[490..494].to_vec()));
+    assert_eq!(client.bring(1, &data_block(1, &[7; 500])), 0);
+    assert_eq!(other.read(DATA, 1, 0, 2), Ok(vec![7, 7]));
+    assert_eq!(other.read(DATA, 9, 0, 4), Ok(vec![1, 2, 3, 4]), "all other values stay");
+    assert!(scans(&mut other).expect("MW 10") > before, "the program has gone on");
+    // Those at the control socket know the new one as well.
+    let seen = until("the control socket knows DB 9", || {
+        let output = sieben(folder.path(), &["top", ".", "--json", "--show", "DB9.DBW 2"])
+            .env("XDG_RUNTIME_DIR", folder.path().join("runtime"))
+            .output();
+        let look = serde_json::from_slice::<Value>(&output.expect("the binary starts").stdout).ok()?;
+        Some(look.to_string()).filter(|text| text.contains("0304"))
+    });
+    assert!(seen.contains("DB9"), "{seen}");
+    assert_eq!(client.service(9, 'B', "_DELE"), 0);
+    assert_eq!(other.read(DATA, 9, 0, 4), Err(0x0A));
+    assert_eq!(client.service(9, 'B', "_DELE"), 0xD209);
+    assert_eq!(running.end().0, Some(0));
 }

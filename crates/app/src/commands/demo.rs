@@ -9,9 +9,11 @@ use sieben_workspace::Speed;
 
 use crate::control::Server;
 use crate::duration::duration_argument;
+use crate::engines::EngineArgument;
 use crate::failure::{Exit, Failure};
 use crate::palette::Palette;
 use crate::screen::{self, CYCLE_US, Entry, Event, Outcome, Session, clock, thousands};
+use crate::servers::{Prepared, ServerArguments, Servers};
 use crate::{output, terminal};
 
 /// The speeds of the picture.
@@ -26,6 +28,10 @@ enum Plant {
 }
 
 #[derive(Args, Default)]
+#[command(after_help = "Examples:\n  \
+  sieben demo                  the plant, live in the terminal\n  \
+  sieben demo --s7             S7 clients reach it at 127.0.0.1:1102, or at the next free port\n  \
+  sieben demo --for 1m --speed max")]
 pub(crate) struct Arguments {
     /// Which plant
     #[arg(value_enum, default_value = "dosing", value_name = "NAME")]
@@ -36,6 +42,8 @@ pub(crate) struct Arguments {
     /// How fast time goes: 1x, 10x, 0.5x, or max
     #[arg(long, value_name = "FACTOR", allow_hyphen_values = true, value_parser = Speed::parse)]
     speed: Option<Speed>,
+    #[command(flatten)]
+    servers: ServerArguments,
 }
 
 /// Runs the demo: with a picture on a terminal, else with one line per change.
@@ -47,10 +55,21 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         Speed::Max if has_screen => Speed::Factor(FACTORS.1),
         speed => speed,
     };
+    let prepared = Prepared::of_demo(&arguments.servers)?;
     let session = Arc::new(Session::new(speed, arguments.time));
     let interrupted = Arc::clone(&session);
     terminal::on_interrupt(move || interrupted.end());
     let server = Server::of_demo(&session.gate, &session.desk, &session.facts);
+    let start = |prepared: Prepared| prepared.start(session.cpu_type, &session.gate, EngineArgument::Auto);
+    let mut servers = prepared.map(start).transpose()?;
+    if let Some(servers) = &servers {
+        session.facts.set_clients(servers.clients(&session.gate));
+        match has_screen {
+            // The run has just begun, and nothing else closes the gate.
+            true => drop(session.note(servers.text().trim_end())),
+            false => output::message(&servers.text()),
+        }
+    }
     if has_screen {
         if let Err(without) = &server {
             // The whole reason has no room there.
@@ -62,6 +81,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
             output::message(&without.to_string());
         }
         print_changes(&session)?;
+    }
+    if let Some(lost) = servers.as_mut().and_then(Servers::end) {
+        output::message(&lost);
     }
     drop(server);
     output::print(&farewell(&session.outcome()))?;

@@ -10,7 +10,7 @@ use sieben_workspace::gate::Plant;
 use super::guard::{Rules, Writing};
 use super::session::{Session, Shared};
 use super::wire::header::{self, Kind};
-use super::wire::{blocks, clock, cotp, names, security, services, setup, system_status, tpkt, transfer, userdata, variables};
+use super::wire::{block_image, blocks, clock, cotp, names, security, services, setup, system_status, tpkt, transfer, userdata, variables};
 
 /// Bytes that may wait to be sent, with the answers to the jobs of one more portion.
 const OUTPUT_BYTES_MAX: usize = 72 * 1024;
@@ -57,6 +57,10 @@ pub fn wire(data: &[u8]) {
         parameters(message.parameters);
     }
     parameters(data);
+    if let Ok(image) = block_image::Image::read(data) {
+        assert!(image.body.len() + block_image::FRAME_BYTES <= data.len(), "an image has room for its code");
+        assert!(data.starts_with(&image.header) && data.ends_with(&image.footer), "an image is what it was read from");
+    }
     if let Some((&subfunction, data)) = data.split_first() {
         group(subfunction, data);
     }

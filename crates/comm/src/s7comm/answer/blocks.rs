@@ -1,6 +1,6 @@
 //! The blocks of the CPU and those that wait in its load memory: counts, lists, headers, images.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::LazyLock;
 
 use sieben_cpu::{BlockView, DateAndTime, Station, system};
@@ -49,9 +49,15 @@ fn entries(plant: &Plant, stored: &StoredBlocks, block_type: BlockType) -> BTree
     entries
 }
 
-/// How many blocks there are of each type.
+/// How many blocks there are of each type, each number once.
 pub(super) fn counts(plant: &Plant, stored: &StoredBlocks) -> Reply {
-    let count = |block_type| u16::try_from(entries(plant, stored, block_type).len()).unwrap_or(u16::MAX);
+    let of_cpu: BTreeSet<BlockId> = plant.cpu.blocks().into_iter().chain(SYSTEM_BLOCKS.keys().copied()).collect();
+    let count = |block_type: BlockType| {
+        let is_of_cpu = |number: u16| block_type.kind().is_some_and(|kind| of_cpu.contains(&BlockId::new(kind, number)));
+        let passive = stored.of_type(block_type).filter(|&(number, _)| !is_of_cpu(number)).count();
+        let active = of_cpu.iter().filter(|id| Some(id.kind) == block_type.kind()).count();
+        u16::try_from(active + passive).unwrap_or(u16::MAX)
+    };
     Reply::BlockCounts(BlockType::all().map(|block_type| (block_type, count(block_type))).collect())
 }
 
