@@ -12,6 +12,7 @@ use listenfd::ListenFd;
 use rustix::io::Errno;
 use serde_json::{Value, json};
 use sieben_comm::config::{Config, LISTEN};
+use sieben_comm::metrics::Metrics;
 use sieben_comm::recording::audit::Audit;
 use sieben_comm::recording::frames::Frames;
 use sieben_comm::recording::{Recorders, Sink};
@@ -25,6 +26,7 @@ use sieben_model::cpu_type::CpuType;
 use sieben_model::problems::Problem;
 use sieben_workspace::Gate;
 use sieben_workspace::control::{Client, Clients};
+use sieben_workspace::metrics::{self, Served};
 use sieben_workspace::project::Project;
 use sieben_workspace::settings::servers::address;
 
@@ -46,16 +48,42 @@ pub(crate) struct ServerArguments {
     s7: Option<String>,
     /// Let others than this computer reach a server, at exactly this address: `s7=0.0.0.0:102`
     #[arg(long, value_name = "SERVER=ADDRESS", value_parser = exposed)]
-    expose: Vec<SocketAddr>,
+    expose: Vec<Exposed>,
+    /// Tell Prometheus the numbers of the run, at http://ADDRESS/metrics
+    #[arg(long, value_name = "ADDRESS", value_parser = metrics_address)]
+    metrics: Option<SocketAddr>,
 }
 
-fn exposed(text: &str) -> Result<SocketAddr, String> {
+/// A server of a run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    S7,
+    Metrics,
+}
+
+impl Kind {
+    /// Its word on the command line.
+    fn word(self) -> &'static str {
+        match self {
+            Self::S7 => "s7",
+            Self::Metrics => "metrics",
+        }
+    }
+}
+
+/// A server that others may reach, at this address.
+type Exposed = (Kind, SocketAddr);
+
+fn exposed(text: &str) -> Result<Exposed, String> {
     let wanted = || format!("`{text}` is no server with its address; write `s7=0.0.0.0:1102`");
     let (name, place) = text.split_once('=').ok_or_else(wanted)?;
-    if name != "s7" {
-        return Err(format!("there is no server `{name}`; write `s7=0.0.0.0:1102`"));
-    }
-    address(place).ok_or_else(wanted)
+    let kind = [Kind::S7, Kind::Metrics].into_iter().find(|kind| kind.word() == name);
+    let kind = kind.ok_or_else(|| format!("there is no server `{name}`; write `s7=0.0.0.0:1102` or `metrics=0.0.0.0:9100`"))?;
+    address(place).map(|address| (kind, address)).ok_or_else(wanted)
+}
+
+fn metrics_address(text: &str) -> Result<SocketAddr, String> {
+    address(text).ok_or_else(|| format!("`{text}` is no address with a port; write `127.0.0.1:9100`"))
 }
 
 impl ServerArguments {
@@ -75,12 +103,12 @@ impl ServerArguments {
     pub(crate) fn config(&self, project: &Project, always: Always) -> Result<Option<Config>, Failure> {
         let file = project.settings.servers.s7.as_ref();
         let named = self.s7.as_deref().and_then(address);
-        if self.s7.is_none() && self.expose.is_empty() && always == Always::No {
+        if self.s7.is_none() && self.exposed(Kind::S7).is_none() && always == Always::No {
             return Ok(None);
         }
         let mut config = Config::of(file.unwrap_or(&Default::default()));
         let of_file = file.and_then(|file| file.listen).map(|(address, _)| address);
-        config.listen = named.or(of_file).or(self.expose.last().copied()).unwrap_or(LISTEN);
+        config.listen = named.or(of_file).or(self.exposed(Kind::S7)).unwrap_or(LISTEN);
         Ok(Some(config))
     }
 
@@ -91,25 +119,47 @@ impl ServerArguments {
                 Failure::usage(Problem::P7001, format!("`{word}` is no address with a port"))
                     .help("write `--s7 127.0.0.1:1102`, or `--s7` alone")
             }),
-            None if self.expose.is_empty() => Ok(None),
-            _ => Ok(Some(self.expose.last().copied().unwrap_or(LISTEN))),
+            None => Ok(self.exposed(Kind::S7)),
+            Some(_) => Ok(Some(self.exposed(Kind::S7).unwrap_or(LISTEN))),
         }
     }
 
+    /// The address at which others may reach a server.
+    fn exposed(&self, wanted: Kind) -> Option<SocketAddr> {
+        self.expose.iter().rev().find(|(kind, _)| *kind == wanted).map(|&(_, address)| address)
+    }
+
+    /// Begins to tell the numbers of a run, if that is wanted; where it listens is said.
+    pub(crate) fn start_metrics(&self, gate: &Arc<Gate>, servers: Option<&Servers>) -> Result<Option<Metrics>, Failure> {
+        let Some(wanted) = self.metrics.or(self.exposed(Kind::Metrics)) else { return Ok(None) };
+        self.check(Kind::Metrics, wanted)?;
+        let (gate, viewer) = (Arc::clone(gate), servers.map(|servers| servers.s7.viewer()));
+        let text = move || {
+            let served: Vec<Served> = viewer.iter().map(|viewer| served(viewer.view())).collect();
+            metrics::text(&gate, &served).ok()
+        };
+        let failed = |error: io::Error| not_listening(wanted, &error);
+        server::listen(wanted).and_then(|listener| Metrics::start(listener, Box::new(text))).map(Some).map_err(failed)
+    }
+
     /// Only this computer reaches a server that was not exposed.
-    fn check(&self, listen: SocketAddr) -> Result<(), Failure> {
+    fn check(&self, kind: Kind, listen: SocketAddr) -> Result<(), Failure> {
         let is_ours = |address: IpAddr| address.to_canonical().is_loopback();
-        if is_ours(listen.ip()) || self.expose.contains(&listen) {
+        if is_ours(listen.ip()) || self.expose.contains(&(kind, listen)) {
             return Ok(());
         }
-        let message = match self.expose.last() {
-            Some(other) => format!("the S7 server would listen at {listen}, but what `--expose` names is {other}"),
-            None => format!(
+        let word = kind.word();
+        let message = match (self.exposed(kind), kind) {
+            (Some(other), _) => format!("the server `{word}` would listen at {listen}, but what `--expose` names is {other}"),
+            (None, Kind::Metrics) => {
+                format!("{listen} can be reached by other computers, and whoever reaches it reads the numbers of this run")
+            }
+            (None, Kind::S7) => format!(
                 "{listen} can be reached by other computers, and S7 has no encryption: who reaches it reads, writes and stops this CPU"
             ),
         };
         Err(Failure::usage(Problem::P7100, message).help(format!(
-            "if the network is yours and you want that, add `--expose s7={listen}`; for this computer alone, `--s7 127.0.0.1:{}`",
+            "if the network is yours and you want that, add `--expose {word}={listen}`; for this computer alone, `--{word} 127.0.0.1:{}`",
             listen.port()
         )))
     }
@@ -149,7 +199,7 @@ impl Prepared {
                 listener
             }
             None => {
-                arguments.check(config.listen)?;
+                arguments.check(Kind::S7, config.listen)?;
                 server::listen(config.listen).map_err(|error| not_listening(config.listen, &error))?
             }
         };
@@ -170,7 +220,7 @@ impl Prepared {
     /// Listens for the demo, at the next free port if nobody named one and the usual one is taken.
     pub(crate) fn of_demo(arguments: &ServerArguments) -> Result<Option<Self>, Failure> {
         let Some(wanted) = arguments.alone()? else { return Ok(None) };
-        arguments.check(wanted)?;
+        arguments.check(Kind::S7, wanted)?;
         let is_usual = wanted == LISTEN;
         let ports = wanted.port()..=wanted.port().saturating_add(if is_usual { PORTS_MAX } else { 0 });
         let mut listening = Err(io::Error::from(ErrorKind::AddrInUse));
@@ -197,6 +247,21 @@ impl Prepared {
         let s7 = Server::start(listener, cpu, Arc::clone(gate), setup).map_err(|error| not_listening(listen, &error))?;
         let is_exposed = !s7.address().ip().to_canonical().is_loopback();
         Ok(Servers { s7, protection, has_password, is_exposed })
+    }
+}
+
+/// What a server has counted.
+fn served(view: View) -> Served {
+    let View { connections, counters } = view;
+    Served {
+        protocol: "s7",
+        connected: connections.len() as u64,
+        connections: counters.connections,
+        refused: counters.refused,
+        requests: Function::all().map(|function| (function.name(), counters.requests.of(function))).collect(),
+        bytes_in: counters.bytes_in,
+        bytes_out: counters.bytes_out,
+        lost: counters.audit_lost + counters.frames_lost,
     }
 }
 

@@ -567,6 +567,31 @@ fn top_tells_who_is_connected() {
 }
 
 #[test]
+fn prometheus_finds_the_numbers() {
+    let folder = project("");
+    let port = TcpListener::bind("127.0.0.1:0").and_then(|listener| listener.local_addr()).expect("a port");
+    let running = Running::of(&folder, &["--metrics", &port.to_string()]);
+    let mut client = running.client();
+    assert!(client.read(DATA, 1, 0, 2).is_ok());
+    let get = |path: &str| {
+        let mut stream = TcpStream::connect(port).expect("the run answers");
+        stream.write_all(format!("GET {path} HTTP/1.1\r\nHost: x\r\n\r\n").as_bytes()).expect("the run reads");
+        let mut answer = String::new();
+        stream.read_to_string(&mut answer).expect("UTF-8");
+        answer
+    };
+    let numbers = until("the request was counted", || {
+        let answer = get("/metrics");
+        answer.contains("sieben_server_requests_total{protocol=\"s7\",function=\"read\"} 1\n").then_some(answer)
+    });
+    assert!(numbers.starts_with("HTTP/1.1 200 OK\r\n"));
+    assert!(numbers.contains("sieben_mode{mode=\"run\"} 1\n") && numbers.contains("sieben_server_connections{protocol=\"s7\"} 1\n"));
+    assert!(get("/").starts_with("HTTP/1.1 404 "));
+    assert_eq!(running.end().0, Some(0));
+    folder.run(&["run", ".", "--metrics", "0.0.0.0:0", "--for", "10ms"]).code(2).stderr("P7100").stderr("--expose metrics=0.0.0.0:0");
+}
+
+#[test]
 fn retentive_data_survives_the_end_of_a_server() {
     let folder = project("");
     let running = Running::of(&folder, &[]);

@@ -272,6 +272,11 @@ impl<'g> Driver<'g> {
         self.surroundings.before_scan(plant);
         self.desk.scan(plant, clock, self.gate.now_us());
         plant.scans += u64::from(scans);
+        let took_us = plant.cpu.cycle_times().execution_last;
+        // In virtual time nothing is measured.
+        if scans && took_us > 0 {
+            plant.scan_times.add(took_us, plant.pace.cycle_us);
+        }
         self.surroundings.keep(&mut plant.cpu);
         self.surroundings.after_scan(plant);
     }

@@ -13,6 +13,7 @@ use sieben_model::item::Item;
 use sieben_model::value::Value;
 
 use crate::pace::Pace;
+use crate::scan_times::ScanTimes;
 
 /// No thread comes in when the next scan begins sooner than this, in microseconds.
 pub const NEAR_US: u64 = 50;
@@ -35,6 +36,8 @@ pub struct Plant {
     pub pace: Pace,
     /// Scans since the beginning of the run, over all restarts.
     pub scans: u64,
+    /// How long they took.
+    pub scan_times: ScanTimes,
     /// A start that has been asked for from outside.
     pub(crate) start: Option<(Restart, Requester)>,
     /// Whether a CPU in STOP waits for a start instead of ending the run.
@@ -46,7 +49,7 @@ pub struct Plant {
 impl Plant {
     /// A CPU that has not started yet.
     pub fn new(cpu: Cpu, pace: Pace) -> Self {
-        Self { cpu, pace, scans: 0, start: None, waits_in_stop: false, stays_in_stop: false }
+        Self { cpu, pace, scans: 0, scan_times: ScanTimes::default(), start: None, waits_in_stop: false, stays_in_stop: false }
     }
 
     /// Sends the CPU to STOP on behalf of a client: the run goes on, and the CPU waits there for a start.

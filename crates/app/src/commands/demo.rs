@@ -70,6 +70,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
             false => output::message(&servers.text()),
         }
     }
+    let metrics = arguments.servers.start_metrics(&session.gate, servers.as_ref())?;
     if has_screen {
         if let Err(without) = &server {
             // The whole reason has no room there.
@@ -82,6 +83,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         }
         print_changes(&session)?;
     }
+    drop(metrics);
     if let Some(lost) = servers.as_mut().and_then(Servers::end) {
         output::message(&lost);
     }

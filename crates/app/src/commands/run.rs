@@ -202,6 +202,12 @@ pub(crate) fn run_as(verb: Verb, mut arguments: RunArguments) -> Result<Exit, Fa
             true => {}
         }
     }
+    let metrics = arguments.servers.start_metrics(&gate, servers.as_ref())?;
+    if let Some(metrics) = &metrics
+        && !arguments.json
+    {
+        output::message(&format!("Metrics are at http://{}/metrics.\n", metrics.address()));
+    }
     let quiet = arguments.json;
     let (failed, status) = (None, Status::new(verb));
     let mut around =
@@ -209,6 +215,7 @@ pub(crate) fn run_as(verb: Verb, mut arguments: RunArguments) -> Result<Exit, Fa
     Driver::new(&gate, &desk, &mut around).run(arguments.retain.restart);
     let Around { mut retention, watch, failed, status, .. } = around;
     status.clear();
+    drop(metrics);
     if let Some(lost) = servers.as_mut().and_then(Servers::end) {
         output::message(&lost);
     }
