@@ -3,6 +3,7 @@
 //! `cargo xtask clients` installs them below `target/clients/`. Without its client a test is skipped and says so in `target/skipped/`; with `SIEBEN_NO_SKIP=1`
 //! that is a failure. The scripts in `tests/clients/` say what they want and what they got.
 #![cfg(unix)]
+#![allow(clippy::print_stdout)] // A test that is skipped says so.
 
 mod command;
 
