@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use crate::format::{Formatted, spell_long_real, spell_real};
 use crate::literal::{self, Value as Constant};
 use crate::registers::StatusWord;
 use crate::types::DataType;
@@ -28,6 +29,30 @@ pub enum Shown {
     Status(StatusWord),
     /// A constant in the notation of its type.
     Text(String),
+    /// The characters of a WSTRING.
+    Wide(String),
+    /// A value in the format that a user asked for.
+    Formatted(Box<Formatted>),
+}
+
+impl Shown {
+    /// As people read it, beside the bits also the number that they are: `16#FFFE (-2)`, `10.0`, `"…"` for a WSTRING.
+    pub fn readable(&self) -> String {
+        match self {
+            Self::Hex { bits, digits } => {
+                let number = match digits {
+                    4 => i64::from(*bits as u16 as i16),
+                    8 => i64::from(*bits as u32 as i32),
+                    _ => *bits as i64,
+                };
+                format!("{self} ({number})")
+            }
+            Self::Real(value) => spell_real(*value),
+            Self::LongReal(value) => spell_long_real(*value),
+            Self::Wide(text) => literal::spell_wide(text),
+            shown => shown.to_string(),
+        }
+    }
 }
 
 impl fmt::Display for Shown {
@@ -45,6 +70,8 @@ impl fmt::Display for Shown {
             Self::LongReal(value) => f.write_str(&literal::format_as(&DataType::LongReal, value.to_bits())),
             Self::Status(word) => write!(f, "{word}"),
             Self::Text(text) => f.write_str(text),
+            Self::Wide(text) => write!(f, "'{text}'"),
+            Self::Formatted(formatted) => f.write_str(&formatted.text),
         }
     }
 }
@@ -72,7 +99,7 @@ impl Shown {
     }
 }
 
-/// Bytes of a type that is no number, as people read them.
+/// Bytes of a type that is no number, as people read them; the characters of a WSTRING by themselves.
 pub fn text_of(bytes: &[u8], data_type: &DataType) -> String {
     match data_type {
         DataType::String(_) => {
@@ -82,7 +109,7 @@ pub fn text_of(bytes: &[u8], data_type: &DataType) -> String {
         DataType::WideString(_) => {
             let word = |at: usize| bytes.get(at..at + 2).map_or(0, |pair| u16::from_be_bytes([pair[0], pair[1]]));
             let units: Vec<u16> = (0..usize::from(word(2))).map(|index| word(4 + 2 * index)).collect();
-            format!("'{}'", String::from_utf16_lossy(&units))
+            String::from_utf16_lossy(&units)
         }
         DataType::Any => <[u8; 10]>::try_from(bytes).map(|bytes| Constant::Any(bytes).spell()).unwrap_or_default(),
         _ => hex_of(bytes),
