@@ -166,7 +166,7 @@ impl Format {
     /// The format with a name, without regard to case.
     pub fn from_name(name: &str) -> Option<Self> {
         let is = |known: &&str| known.eq_ignore_ascii_case(name);
-        ROWS.iter().find(|row| is(&row.name) || row.also.iter().any(|also| is(&also))).map(|row| row.format)
+        ROWS.iter().find(|row| is(&row.name) || row.also.iter().any(is)).map(|row| row.format)
     }
 
     /// Splits `MD 20:REAL` into a name and what follows its last colon outside of quotes; `None` if there is no such colon.

@@ -224,14 +224,15 @@ impl Item {
     #[must_use]
     pub fn readable(self) -> Self {
         match (&self.place, &self.kind) {
-            (Place::Operand(Operand::Timer(_)), Kind::Number) => Self { kind: Kind::Typed(DataType::S5Time), ..self },
+            (Place::Operand(Operand::Timer(_)), Kind::Number) => Self { kind: Kind::TimeLeft, ..self },
             _ => self,
         }
     }
 
     /// Whether its value is the time that a timer has left, and not the count of its base.
     pub fn is_time_of_timer(&self) -> bool {
-        matches!(self.place, Place::Operand(Operand::Timer(_))) && matches!(*self.kind.meaning(), Kind::Typed(DataType::S5Time))
+        matches!(self.place, Place::Operand(Operand::Timer(_)))
+            && matches!(*self.kind.meaning(), Kind::TimeLeft | Kind::Typed(DataType::S5Time))
     }
 
     /// The number of bits of its place that a value can have; 0 for bytes.

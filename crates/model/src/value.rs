@@ -20,6 +20,8 @@ pub enum Kind {
     Bytes(u32),
     /// A whole number that is never negative: timers, counters, numbers and lengths of data blocks.
     Number,
+    /// What a timer has left, with its base: the word of S5TIME. To programs it is the count, to people the time.
+    TimeLeft,
     /// A value of a data type.
     Typed(DataType),
     /// The status word.
@@ -125,6 +127,7 @@ impl Kind {
             Self::Bit => "bit".to_owned(),
             Self::Bits(width) => format!("bits {width}"),
             Self::Number => "number".to_owned(),
+            Self::TimeLeft => "timer".to_owned(),
             Self::Typed(data_type) => format!("type {}", data_type.word().unwrap_or("WORD")),
             Self::Status => "status".to_owned(),
             Self::Formatted(format, of) => format!("format {format} {}", of.word()),
@@ -137,6 +140,7 @@ impl Kind {
         match word {
             "bit" => Some(Self::Bit),
             "number" => Some(Self::Number),
+            "timer" => Some(Self::TimeLeft),
             "status" => Some(Self::Status),
             "text" => Some(Self::Text),
             _ => match word.split_once(' ')? {
@@ -159,6 +163,7 @@ impl Kind {
             Self::Bit => 1,
             Self::Bits(width) => *width,
             Self::Number => 32,
+            Self::TimeLeft => 16,
             Self::Typed(data_type) if data_type.stands_in_bytes() => 0,
             Self::Typed(data_type) => data_type.bits().min(64) as u32,
             Self::Status => 9,
@@ -195,7 +200,7 @@ impl Kind {
         match self {
             Self::Bit => vec![Fit::Bit],
             Self::Bits(width) => vec![Fit::Width(*width)],
-            Self::Number => vec![Fit::Number],
+            Self::Number | Self::TimeLeft => vec![Fit::Number],
             Self::Status => vec![Fit::Status],
             Self::Bytes(1) => vec![Fit::Bytes, Fit::Width(8)],
             Self::Bytes(2) => vec![Fit::Bytes, Fit::Width(16)],
@@ -244,7 +249,7 @@ impl Kind {
             Self::Bits(width) if *width <= 32 => Some(bits as f64),
             Self::Typed(DataType::Real) => Some(f64::from(f32::from_bits(bits as u32))).filter(|number| number.is_finite()),
             Self::Typed(DataType::LongReal) => Some(f64::from_bits(bits)).filter(|number| number.is_finite()),
-            Self::Typed(DataType::S5Time) => literal::s5time_milliseconds(bits as u16).map(|ms| ms as f64),
+            Self::TimeLeft | Self::Typed(DataType::S5Time) => literal::s5time_milliseconds(bits as u16).map(|ms| ms as f64),
             Self::Typed(DataType::Char | DataType::WideChar | DataType::DateAndTime | DataType::LongDateAndTime) => None,
             Self::Typed(_) if self.is_signed() => Some(self.signed(bits) as f64),
             Self::Typed(DataType::LongWord) => None,
@@ -274,7 +279,7 @@ impl Kind {
     /// `None` if one of them is no number.
     pub fn compare(&self, left: u64, right: u64) -> Option<std::cmp::Ordering> {
         match self {
-            Self::Formatted(Format::Bcd | Format::Counter, _) => self.number(left)?.partial_cmp(&self.number(right)?),
+            Self::TimeLeft | Self::Formatted(Format::Bcd | Format::Counter, _) => self.number(left)?.partial_cmp(&self.number(right)?),
             Self::Formatted(..) => self.meaning().compare(left, right),
             Self::Typed(DataType::Real) => f32::from_bits(left as u32).partial_cmp(&f32::from_bits(right as u32)),
             Self::Typed(DataType::LongReal) => f64::from_bits(left).partial_cmp(&f64::from_bits(right)),
@@ -297,6 +302,7 @@ impl Kind {
             },
             (Self::Bit, Content::Bits(bits)) => Shown::Bit(*bits != 0),
             (Self::Bits(width), Content::Bits(bits)) => Shown::Hex { bits: *bits, digits: (*width / 4) as usize },
+            (Self::TimeLeft, Content::Bits(bits)) => Shown::TimeLeft(*bits as u16),
             (Self::Number, Content::Bits(bits)) => Shown::Number(i64::try_from(*bits).unwrap_or(i64::MAX)),
             (Self::Status, Content::Bits(bits)) => Shown::Status(StatusWord(*bits as u16)),
             (Self::Bytes(_) | Self::Text, Content::Bits(_)) => Shown::Text(String::new()),

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use crate::bcd;
 use crate::format::{Formatted, spell_long_real, spell_real};
 use crate::literal::{self, Value as Constant};
 use crate::registers::StatusWord;
@@ -21,6 +22,8 @@ pub enum Shown {
     },
     /// A number: timers, counters, INT and DINT.
     Number(i64),
+    /// What a timer has left, as the word of S5TIME.
+    TimeLeft(u16),
     /// A REAL.
     Real(f32),
     /// An LREAL.
@@ -47,6 +50,7 @@ impl Shown {
                 };
                 format!("{self} ({number})")
             }
+            Self::TimeLeft(word) => literal::format_as(&DataType::S5Time, u64::from(*word)),
             Self::Real(value) => spell_real(*value),
             Self::LongReal(value) => spell_long_real(*value),
             Self::Wide(text) => literal::spell_wide(text),
@@ -66,6 +70,7 @@ impl fmt::Display for Shown {
             }
             Self::Hex { bits, digits } => write!(f, "16#{bits:0digits$X}"),
             Self::Number(number) => write!(f, "{number}"),
+            Self::TimeLeft(word) => write!(f, "{}", bcd::decode(u32::from(*word), 3)),
             Self::Real(value) => f.write_str(&literal::format_as(&DataType::Real, u64::from(value.to_bits()))),
             Self::LongReal(value) => f.write_str(&literal::format_as(&DataType::LongReal, value.to_bits())),
             Self::Status(word) => write!(f, "{word}"),

@@ -49,7 +49,7 @@ pub(super) fn bits_of(name: &Name, bits: u64) -> String {
     if kept {
         return text;
     }
-    match name.kind() {
+    match name.kind().plain() {
         // Numbers that REAL has several of, and characters that no text shows.
         Kind::Typed(data_type) if data_type.bits() == 64 => format!("16#{bits:016X}"),
         kind => format!("16#{bits:0digits$X}", digits = (kind.width().max(4) / 4) as usize),
