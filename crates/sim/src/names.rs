@@ -92,7 +92,9 @@ impl Name {
     /// Nothing is called that.
     pub fn parse_in(text: &str, scope: Option<Scope>, symbols: &SymbolTable, program: &Program) -> Result<Self, NameError> {
         let text = text.trim();
-        let Some((name, word)) = Format::split(text) else {
+        // A symbol may have a colon in its name.
+        let with_format = Format::split(text).filter(|_| symbols.find(text).is_none());
+        let Some((name, word)) = with_format else {
             return item(text, scope, symbols, program).map(|item| Self { text: text.to_owned(), item });
         };
         let found = item(name, scope, symbols, program)?;

@@ -2,6 +2,7 @@
 
 use sieben_cpu::{DateAndTime, Interrupt, Restart};
 use sieben_model::address::{Area, Operand};
+use sieben_model::format::Format;
 use sieben_model::literal;
 use sieben_model::types::DataType;
 use sieben_model::value::Content;
@@ -18,8 +19,11 @@ pub(super) fn time(us: u64) -> String {
     }
 }
 
-/// A name so that a line gives it back: in quotes, unless it is an address or one word.
+/// A name so that a line gives it back: in quotes, unless it is an address or one word; its format after the quotes.
 pub(super) fn name(text: &str) -> String {
+    if let Some((plain, format)) = Format::split(text).and_then(|(plain, word)| Some((plain, Format::from_name(word)?))) {
+        return format!("{}:{format}", name(plain));
+    }
     let one_word = |part: &str| {
         part.chars().all(|c| c.is_alphanumeric() || matches!(c, '_' | '[' | ']' | ','))
             && part.starts_with(|c: char| c.is_alphabetic() || c == '_')
