@@ -408,3 +408,21 @@ fn a_difference_is_told_to_machines() {
     folder.run(&["test", "new.awl", "--tests", "a.scenario", "--junit", "a.xml"]).code(1);
     assert!(String::from_utf8_lossy(&folder.read("a.xml")).contains("failures=\"1\""));
 }
+
+/// What a name with a format was recorded as is the same value when it is read again, also where the format has no notation for it.
+#[test]
+fn values_in_formats_come_back_from_a_recording() {
+    let source = "      L     W#16#0A00\n      T     MW    0\n      L     1.0e+001\n      T     MD    4\n      A     I     0.0\n      L     S5T#5S\n      SE    T     1\n";
+    let symbols = "\"Symbol\",\"Address\",\"Type\",\"Comment\"\n\"lamp:INT\",\"Q 4.0\",\"BOOL\",\"\"\n";
+    let folder = Folder::with(&[("main.awl", source), ("symbols.csv", symbols)]);
+    let names = "MW0:S5TIME,MW0:BCD,MW0:BIN,MW0:DEC,MD4:REAL,MD4:CHAR,MD4:POINTER,T1:S5TIME,\"lamp:INT\"";
+    let record = ["record", "main.awl", "symbols.csv", "--at", "25ms", "I0.0=1", "--scans", "10", "--speed", "max", "--watch", names, "-o"];
+    folder.run(&[&record[..], &["a.scenario"]].concat()).code(0);
+    let recorded = String::from_utf8_lossy(&folder.read("a.scenario")).into_owned();
+    for line in ["MD4:REAL=10.0", "MW0:S5TIME=16#0A00", "T1:S5TIME=S5T#4S990MS", "\"lamp:INT\"=0"] {
+        assert!(recorded.contains(line), "`{line}` is missing in\n{recorded}");
+    }
+    folder.run(&["test", "main.awl", "symbols.csv", "--tests", "a.scenario"]).code(0);
+    fs::write(folder.0.join("b.scenario"), recorded.replace("MD4:REAL=10.0", "MD4:REAL=10.5")).expect("a file of the test");
+    folder.run(&["test", "main.awl", "symbols.csv", "--tests", "b.scenario"]).code(1).stdout("`MD4:REAL` should be 10.5");
+}

@@ -45,7 +45,7 @@ fn a_breakpoint_with_a_condition_and_a_count_waits_for_both() {
     let (_folder, run) = step(COUNTER, commands, &[]);
     // With MW 10 at 2, 3, 4, 5 it happens; every second time is 3 and 5. Backwards every time counts.
     let printed: Vec<&str> = run.stdout.lines().filter(|line| line.contains("MW10 =")).collect();
-    assert_eq!(printed, ["  MW10 = 16#0003", "  MW10 = 16#0005", "  MW10 = 16#0004"], "{}", run.stdout);
+    assert_eq!(printed, ["  MW10 = 16#0003 (3)", "  MW10 = 16#0005 (5)", "  MW10 = 16#0004 (4)"], "{}", run.stdout);
 }
 
 #[test]
@@ -67,7 +67,7 @@ fn of_a_value_that_stays_the_statement_that_wrote_it_last_is_told() {
     );
     assert!(run.stdout.contains(" in scan 1: the RLO is 0, so Q 4.0 becomes 0"), "{}", run.stdout);
     assert!(run.stdout.contains("nothing has changed `Q4.1` since the beginning\n>"), "{}", run.stdout);
-    assert!(run.stdout.contains("MW10 = 16#0002"), "the run stands where it stood: {}", run.stdout);
+    assert!(run.stdout.contains("MW10 = 16#0002 (2)"), "the run stands where it stood: {}", run.stdout);
     let (_folder, run) = step(COUNTER, "scan 2\nwho Q4.0\n", &["--json", "--lang", "de"]);
     assert!(run.stdout.contains("\"who\":null,\"written\":{\"name\":\"Q4.0\""), "{}", run.stdout);
     assert!(run.stdout.contains("das VKE ist 0"), "{}", run.stdout);
@@ -79,7 +79,7 @@ fn of_a_value_that_stays_the_statement_that_wrote_it_last_is_told() {
 fn scans_have_the_numbers_that_exec_gives_them() {
     let (folder, run) = step(COUNTER, "where\nstep\nscan\nstep\nwho MW10\n", &["--json"]);
     assert_eq!(values(&run, "scan")[..4], ["null", "0", "0", "1"], "{}", run.stdout);
-    assert!(run.stdout.contains("\"scan\":0,\"before\":\"16#0000\""), "{}", run.stdout);
+    assert!(run.stdout.contains("\"scan\":0,\"before\":\"16#0000 (0)\""), "{}", run.stdout);
     let exec = folder.run(&["exec", "main.awl", "--scans", "2", "--every", "--json", "--show", "MW10"]);
     assert_eq!(values(&exec, "scan"), ["0", "1"], "{}", exec.stdout);
 }
@@ -114,7 +114,7 @@ fn a_stop_is_told_and_can_be_gone_back_from() {
     let (_folder, run) = step(source, "run\nback 2\nprint MW0\nrun\n", &[]);
     assert_eq!(run.code, Some(4), "{}", run.stderr);
     assert_eq!(run.stdout.matches("went to STOP").count(), 2, "{}", run.stdout);
-    assert!(run.stdout.contains("MW0 = 16#0000"), "{}", run.stdout);
+    assert!(run.stdout.contains("MW0 = 16#0000 (0)"), "{}", run.stdout);
 }
 
 #[test]
@@ -235,17 +235,17 @@ const VARIABLES: &str = "FUNCTION_BLOCK FB 5\nVAR_INPUT\n raw : INT;\nEND_VAR\nV
 fn every_variable_of_a_block_has_its_name_and_its_value() {
     let commands = "to FB5:11\nstep\nprint #raw, #i, #count, #list[2], #r, #s.k\nlocals\nto FC1:6\nlocals\nset #x=77\nprint MW30\nback out\nprint FC 1.#a\n";
     let (_folder, run) = step(VARIABLES, commands, &[]);
-    assert!(run.stdout.contains("  #raw = 17\n  #i = 17\n  #count = 1\n  #list[2] = 17\n  #r = 1.5e+000\n  #s.k = 9\n"), "{}", run.stdout);
+    assert!(run.stdout.contains("  #raw = 17\n  #i = 17\n  #count = 1\n  #list[2] = 17\n  #r = 1.5\n  #s.k = 9\n"), "{}", run.stdout);
     for line in [
         "variables of FB 5",
         "    IN      #raw      INT   17",
         "    IN_OUT  #s.k      INT   9",
         "    STAT    #list[2]  INT   17",
-        "    TEMP    #r        REAL  1.5e+000",
+        "    TEMP    #r        REAL  1.5",
         "    IN      #q        TIMER  T 2",
         "    IN_OUT  #x        INT    3",
         "    RETURN  #RET_VAL  INT    3",
-        "  MW30 = 16#004D",
+        "  MW30 = 16#004D (77)",
         "  FC 1.#a = no value here: FC 1 is not the block that runs",
     ] {
         assert!(run.stdout.contains(line), "`{line}` is missing in\n{}", run.stdout);
@@ -303,8 +303,8 @@ fn a_write_of_the_same_value_is_found_there_and_back() {
     for (name, place, back) in [
         ("Q4.0", "= Q 4.0", "0 -> 0"),
         ("M21.3", "T W[AR1,P#0.0]", "0 -> 0"),
-        ("MW30", "T MB 31", "16#0000 -> 16#0000"),
-        ("MB53", "CALL SFC 20 (", "16#00 -> 16#00"),
+        ("MW30", "T MB 31", "16#0000 (0) -> 16#0000 (0)"),
+        ("MB53", "CALL SFC 20 (", "16#00 (0) -> 16#00 (0)"),
     ] {
         let commands = format!("break write {name}\nscan\nrun back\ngoto 0\nrun\nwho {name}\n");
         let (_folder, run) = step(source, &commands, &[]);
@@ -347,7 +347,7 @@ fn in_german_every_answer_is_german() {
         assert_eq!(found, None, "{english}");
     }
     assert!(
-        run.stdout.contains("Haltepunkt 2: MW10: 16#0000 -> 16#0001") && run.stderr.contains("Fehler: `walk` ist kein Befehl"),
+        run.stdout.contains("Haltepunkt 2: MW10: 16#0000 (0) -> 16#0001 (1)") && run.stderr.contains("Fehler: `walk` ist kein Befehl"),
         "{}{}",
         run.stdout,
         run.stderr

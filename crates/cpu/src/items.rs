@@ -7,6 +7,7 @@ use std::ops::Range;
 use sieben_engine::machine::{Registers, Timer};
 use sieben_engine::{Machine, Stored};
 use sieben_model::address::{Address, Area, Operand, Width};
+use sieben_model::bcd;
 use sieben_model::item::{Bytes, Item, Local, Place};
 use sieben_model::types::DataType;
 use sieben_model::value::{Content, Kind};
@@ -24,7 +25,7 @@ pub struct Moment<'m> {
 
 /// How a value lies in bytes: as one number, or as what it is.
 pub(crate) fn content_of(kind: &Kind, bytes: &[u8]) -> Content {
-    match kind {
+    match kind.plain() {
         Kind::Bytes(_) | Kind::Text => Content::Bytes(bytes.into()),
         Kind::Typed(data_type) if data_type.stands_in_bytes() => Content::Bytes(bytes.into()),
         _ => Content::Bits(bytes.iter().fold(0, |bits, &byte| bits << 8 | u64::from(byte))),
@@ -36,6 +37,11 @@ pub(crate) fn timer_of(machine: &Machine, number: u16) -> Option<Timer> {
     let mut timer = machine.timers.get(usize::from(number))?.clone();
     timer.refresh(machine.clock_us);
     Some(timer)
+}
+
+/// The word of S5TIME that a timer of this base has with so much left, as `LC` loads it.
+pub(crate) fn s5time_of(base: u8, count: u16) -> u16 {
+    u16::from(base & 3) << 12 | bcd::encode(u32::from(count)) as u16 & 0xFFF
 }
 
 /// The range of the arena that bytes of an area or of a data block are; `None` if they lie outside.
@@ -65,7 +71,11 @@ impl<'m> Moment<'m> {
     pub fn bits(self, item: &Item) -> Option<u64> {
         let Self { machine, registers } = self;
         match &item.place {
-            Place::Operand(Operand::Timer(number)) => Some(u64::from(timer_of(machine, *number)?.remaining(machine.clock_us))),
+            Place::Operand(Operand::Timer(number)) => {
+                let timer = timer_of(machine, *number)?;
+                let count = timer.remaining(machine.clock_us);
+                Some(u64::from(if item.is_time_of_timer() { s5time_of(timer.base, count) } else { count }))
+            }
             Place::Operand(Operand::Counter(number)) => Some(u64::from(machine.counters.get(usize::from(*number))?.count)),
             Place::Operand(operand) => {
                 let address = operand_in_image(operand);

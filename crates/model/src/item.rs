@@ -4,6 +4,7 @@ mod reading;
 
 use crate::address::{Area, Operand, Width};
 use crate::block::BlockId;
+use crate::format::{Fit, Format, FormatError};
 use crate::registers::{Register, STATUS_BITS};
 use crate::types::DataType;
 use crate::value::Kind;
@@ -197,11 +198,48 @@ impl Item {
         }
     }
 
+    /// The item in a format. Of a register a format of 16 bits shows the low word.
+    ///
+    /// # Errors
+    /// The format does not show such values; the error says which do.
+    pub fn in_format(self, format: Format) -> Result<Self, FormatError> {
+        let fits = self.fits();
+        match fits.first() {
+            Some(&is) if !format.fits(&fits) => Err(FormatError::Unfit { format, is, fitting: Format::fitting(&fits).collect() }),
+            _ => Ok(Self { kind: Kind::Formatted(format, Box::new(self.kind.plain().clone())), ..self }),
+        }
+    }
+
+    /// What it is to the table of formats.
+    fn fits(&self) -> Vec<Fit> {
+        match &self.place {
+            Place::Operand(Operand::Timer(_)) => vec![Fit::Timer, Fit::Number],
+            Place::Operand(Operand::Counter(_)) => vec![Fit::Counter, Fit::Number],
+            Place::Register(_) if *self.kind.plain() == Kind::Bits(32) => vec![Fit::Width(32), Fit::Width(16)],
+            _ => self.kind.fits(),
+        }
+    }
+
+    /// The item as people read it: the remaining value of a timer as a time.
+    #[must_use]
+    pub fn readable(self) -> Self {
+        match (&self.place, &self.kind) {
+            (Place::Operand(Operand::Timer(_)), Kind::Number) => Self { kind: Kind::TimeLeft, ..self },
+            _ => self,
+        }
+    }
+
+    /// Whether its value is the time that a timer has left, and not the count of its base.
+    pub fn is_time_of_timer(&self) -> bool {
+        matches!(self.place, Place::Operand(Operand::Timer(_)))
+            && matches!(*self.kind.meaning(), Kind::TimeLeft | Kind::Typed(DataType::S5Time))
+    }
+
     /// The number of bits of its place that a value can have; 0 for bytes.
     pub fn width(&self) -> u32 {
         match &self.place {
             Place::Operand(operand) => operand.width().map_or(16, Width::bits),
-            Place::Register(_) if self.kind == Kind::Number => 32,
+            Place::Register(_) if *self.kind.plain() == Kind::Number => 32,
             _ => self.kind.width(),
         }
     }

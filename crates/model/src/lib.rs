@@ -7,6 +7,7 @@ pub mod block;
 pub mod cpu_type;
 pub mod diagnostic;
 pub mod extension;
+pub mod format;
 pub mod interface;
 pub mod item;
 pub mod literal;

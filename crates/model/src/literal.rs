@@ -521,6 +521,19 @@ pub fn any_type_code(word: &str) -> Option<u8> {
     ANY_TYPES.iter().find(|(name, _)| name.eq_ignore_ascii_case(word)).map(|&(_, code)| code)
 }
 
+/// The word for the type with this code in an ANY.
+pub fn any_type_word(code: u8) -> Option<&'static str> {
+    ANY_TYPES.iter().find(|&&(_, known)| known == code).map(|&(word, _)| word)
+}
+
+/// The letters of the area with this code in a pointer.
+pub fn pointer_area(code: u8) -> Option<&'static str> {
+    POINTER_AREAS
+        .iter()
+        .find(|&&(letters, known)| known == code && !matches!(letters, "PI" | "PE" | "PQ" | "PA"))
+        .map(|&(letters, _)| letters)
+}
+
 const POINTER_FORMS: &str = "a pointer is P#byte.bit, P#M 10.0, P#DBX 10.0, P#DB5.DBX 10.0, or one of these with a type and a count, such as P#DB5.DBX 10.0 BYTE 20";
 
 fn parse_pointer(text: &str) -> Parsed {
@@ -705,6 +718,24 @@ fn spell_characters(bytes: &[u8]) -> String {
     text
 }
 
+/// The characters of a WSTRING between quotation marks, with `$` before what has no place there.
+pub(crate) fn spell_wide(text: &str) -> String {
+    let mut out = String::from("\"");
+    for character in text.chars() {
+        match character {
+            '$' | '"' => out.extend(['$', character]),
+            '\n' => out.push_str("$L"),
+            '\u{C}' => out.push_str("$P"),
+            '\r' => out.push_str("$R"),
+            '\t' => out.push_str("$T"),
+            character if character.is_control() => out.push_str(&format!("${:04X}", u32::from(character))),
+            character => out.push(character),
+        }
+    }
+    out.push('"');
+    out
+}
+
 impl Value {
     /// The bits of the value, right-justified, as they come into ACCU 1; `None` for what is longer than 64 bits or has no fixed length.
     pub fn bits(&self) -> Option<u64> {
@@ -864,9 +895,9 @@ fn data_register(pointer: u32) -> &'static str {
 fn spell_pointer(pointer: u32) -> String {
     let code = (pointer >> 24) as u8;
     let position = format!("{}.{}", pointer >> 3 & 0xFFFF, pointer & 7);
-    match POINTER_AREAS.iter().find(|&&(letters, area)| area == code && !matches!(letters, "PI" | "PE" | "PQ" | "PA")) {
+    match pointer_area(code) {
         _ if pointer & 0x00F8_0000 != 0 => format!("16#{pointer:08X}"),
-        Some((letters, _)) => format!("{letters} {position}"),
+        Some(letters) => format!("{letters} {position}"),
         None if code == 0 => position,
         None => format!("16#{pointer:08X}"),
     }
@@ -876,10 +907,10 @@ fn spell_any(bytes: &[u8; 10]) -> String {
     let count = u16::from_be_bytes([bytes[2], bytes[3]]);
     let db = u16::from_be_bytes([bytes[4], bytes[5]]);
     let pointer = u32::from_be_bytes([bytes[6], bytes[7], bytes[8], bytes[9]]);
-    let Some((word, code)) = ANY_TYPES.iter().find(|&&(_, code)| code == bytes[1]) else {
+    let Some(word) = any_type_word(bytes[1]) else {
         return format!("16#{}", bytes.iter().map(|byte| format!("{byte:02X}")).collect::<String>());
     };
-    match code {
+    match bytes[1] {
         0x1D => format!("P#T {} {word} {count}", pointer & 0xFFFF),
         0x1C => format!("P#C {} {word} {count}", pointer & 0xFFFF),
         _ if db > 0 => format!("P#{}{db}.{} {word} {count}", data_register(pointer), spell_pointer(pointer)),

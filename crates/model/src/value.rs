@@ -2,6 +2,7 @@
 
 mod shown;
 
+use crate::format::{Figure, Fit, Format};
 use crate::literal;
 use crate::registers::StatusWord;
 use crate::types::DataType;
@@ -19,10 +20,14 @@ pub enum Kind {
     Bytes(u32),
     /// A whole number that is never negative: timers, counters, numbers and lengths of data blocks.
     Number,
+    /// What a timer has left, with its base: the word of S5TIME. To programs it is the count, to people the time.
+    TimeLeft,
     /// A value of a data type.
     Typed(DataType),
     /// The status word.
     Status,
+    /// Bits or bytes of a kind that a user wants to see in a format.
+    Formatted(Format, Box<Kind>),
     /// Characters that stand for themselves: what a recording keeps of strings and of values of enumerations.
     Text,
 }
@@ -97,9 +102,23 @@ impl Kind {
     pub fn is_recorded_as_text(&self) -> bool {
         match self {
             Self::Bytes(_) | Self::Text => true,
+            Self::Formatted(_, of) => of.is_recorded_as_text(),
             Self::Typed(data_type) => data_type.is_enumeration() || data_type.stands_in_bytes() || names_a_number(data_type),
             _ => false,
         }
+    }
+
+    /// The word of its data type: `BOOL`, `WORD`, `STRING[20]`; `None` for what has none of its own.
+    pub fn type_word(&self) -> Option<String> {
+        Some(match self.plain() {
+            Self::Bit => "BOOL".to_owned(),
+            Self::Bits(8) => "BYTE".to_owned(),
+            Self::Bits(16) => "WORD".to_owned(),
+            Self::Bits(32) => "DWORD".to_owned(),
+            Self::Bits(64) => "LWORD".to_owned(),
+            Self::Typed(data_type) => data_type.to_string(),
+            _ => return None,
+        })
     }
 
     /// The word for it in the head of a recording; [`Self::from_word`] reads it.
@@ -108,8 +127,10 @@ impl Kind {
             Self::Bit => "bit".to_owned(),
             Self::Bits(width) => format!("bits {width}"),
             Self::Number => "number".to_owned(),
+            Self::TimeLeft => "timer".to_owned(),
             Self::Typed(data_type) => format!("type {}", data_type.word().unwrap_or("WORD")),
             Self::Status => "status".to_owned(),
+            Self::Formatted(format, of) => format!("format {format} {}", of.word()),
             Self::Bytes(_) | Self::Text => "text".to_owned(),
         }
     }
@@ -119,10 +140,17 @@ impl Kind {
         match word {
             "bit" => Some(Self::Bit),
             "number" => Some(Self::Number),
+            "timer" => Some(Self::TimeLeft),
             "status" => Some(Self::Status),
             "text" => Some(Self::Text),
             _ => match word.split_once(' ')? {
                 ("bits", width) => width.parse().ok().filter(|width| matches!(width, 8 | 16 | 32 | 64)).map(Self::Bits),
+                ("format", rest) => {
+                    let (format, of) = rest.split_once(' ')?;
+                    // A format of a format would nest as deep as a file likes.
+                    let of = Self::from_word(of).filter(|of| !matches!(of, Self::Formatted(..)))?;
+                    Format::from_name(format).map(|format| Self::Formatted(format, Box::new(of)))
+                }
                 ("type", word) => DataType::from_any_word(word).filter(|data_type| matches!(data_type.bits(), 1..=64)).map(Self::Typed),
                 _ => None,
             },
@@ -135,15 +163,69 @@ impl Kind {
             Self::Bit => 1,
             Self::Bits(width) => *width,
             Self::Number => 32,
+            Self::TimeLeft => 16,
             Self::Typed(data_type) if data_type.stands_in_bytes() => 0,
             Self::Typed(data_type) => data_type.bits().min(64) as u32,
             Self::Status => 9,
+            Self::Formatted(_, of) => of.width(),
             Self::Bytes(_) | Self::Text => 0,
+        }
+    }
+
+    /// What it is without the format that a user wants to see it in.
+    #[must_use]
+    pub fn plain(&self) -> &Self {
+        match self {
+            Self::Formatted(_, of) => of.plain(),
+            plain => plain,
+        }
+    }
+
+    /// What the bits mean: the data type that a format stands for.
+    pub fn meaning(&self) -> std::borrow::Cow<'_, Self> {
+        use std::borrow::Cow;
+        match self {
+            // The remaining value of a timer is a plain number in every format but that of a time.
+            Self::Formatted(format, of) if **of != Self::Number || *format == Format::S5Time => {
+                let plain = || Cow::Borrowed(self.plain());
+                format.data_type(of.width()).map_or_else(plain, |data_type| Cow::Owned(Self::Typed(data_type)))
+            }
+            Self::Formatted(..) => Cow::Borrowed(self.plain()),
+            plain => Cow::Borrowed(plain),
+        }
+    }
+
+    /// What it is to the table of formats.
+    pub fn fits(&self) -> Vec<Fit> {
+        match self {
+            Self::Bit => vec![Fit::Bit],
+            Self::Bits(width) => vec![Fit::Width(*width)],
+            Self::Number | Self::TimeLeft => vec![Fit::Number],
+            Self::Status => vec![Fit::Status],
+            Self::Bytes(1) => vec![Fit::Bytes, Fit::Width(8)],
+            Self::Bytes(2) => vec![Fit::Bytes, Fit::Width(16)],
+            Self::Bytes(4) => vec![Fit::Bytes, Fit::Width(32)],
+            Self::Bytes(8) => vec![Fit::Bytes, Fit::Width(64)],
+            Self::Bytes(6) => vec![Fit::Bytes, Fit::Pointer],
+            Self::Bytes(10) => vec![Fit::Bytes, Fit::Any],
+            Self::Bytes(_) => vec![Fit::Bytes],
+            Self::Typed(DataType::Pointer) => vec![Fit::Pointer],
+            Self::Typed(DataType::Any) => vec![Fit::Any],
+            Self::Typed(DataType::String(_) | DataType::WideString(_)) => vec![Fit::Characters],
+            Self::Typed(data_type) if names_a_number(data_type) => vec![Fit::Number],
+            Self::Typed(data_type) if data_type.stands_in_bytes() => vec![Fit::Bytes],
+            Self::Typed(data_type) => vec![Fit::Width(data_type.bits().min(64) as u32)],
+            Self::Formatted(_, of) => of.fits(),
+            Self::Text => Vec::new(),
         }
     }
 
     /// Whether the value is a whole number that may be negative.
     pub fn is_signed(&self) -> bool {
+        if let Self::Formatted(..) = self {
+            let meaning = self.meaning();
+            return matches!(*meaning, Self::Typed(_)) && meaning.is_signed();
+        }
         let Self::Typed(data_type) = self else { return false };
         matches!(
             data_type.base(),
@@ -154,11 +236,20 @@ impl Kind {
     /// Bits as a number on a scale: TIME and S5TIME in milliseconds, LTIME in nanoseconds, DATE in days. `None` for what has no scale.
     pub fn number(&self, bits: u64) -> Option<f64> {
         match self {
+            Self::Formatted(format, of) => match format.show(of, &Content::Bits(bits)).figure {
+                Some(Figure::Whole(number)) => Some(number as f64),
+                Some(_) => self.meaning().number(bits),
+                None if matches!(format, Format::Bcd | Format::Counter) => None,
+                None => match &*self.meaning() {
+                    Self::Formatted(..) => None,
+                    meaning => meaning.number(bits),
+                },
+            },
             Self::Bit | Self::Number => Some(bits as f64),
             Self::Bits(width) if *width <= 32 => Some(bits as f64),
             Self::Typed(DataType::Real) => Some(f64::from(f32::from_bits(bits as u32))).filter(|number| number.is_finite()),
             Self::Typed(DataType::LongReal) => Some(f64::from_bits(bits)).filter(|number| number.is_finite()),
-            Self::Typed(DataType::S5Time) => literal::s5time_milliseconds(bits as u16).map(|ms| ms as f64),
+            Self::TimeLeft | Self::Typed(DataType::S5Time) => literal::s5time_milliseconds(bits as u16).map(|ms| ms as f64),
             Self::Typed(DataType::Char | DataType::WideChar | DataType::DateAndTime | DataType::LongDateAndTime) => None,
             Self::Typed(_) if self.is_signed() => Some(self.signed(bits) as f64),
             Self::Typed(DataType::LongWord) => None,
@@ -171,6 +262,7 @@ impl Kind {
     pub fn scale(&self, bits: u64) -> Option<f64> {
         match self {
             Self::Bits(16 | 32) => Some(self.signed(bits) as f64),
+            Self::Formatted(Format::Bin | Format::Hex, of) => of.scale(bits),
             _ => self.number(bits),
         }
     }
@@ -187,6 +279,8 @@ impl Kind {
     /// `None` if one of them is no number.
     pub fn compare(&self, left: u64, right: u64) -> Option<std::cmp::Ordering> {
         match self {
+            Self::TimeLeft | Self::Formatted(Format::Bcd | Format::Counter, _) => self.number(left)?.partial_cmp(&self.number(right)?),
+            Self::Formatted(..) => self.meaning().compare(left, right),
             Self::Typed(DataType::Real) => f32::from_bits(left as u32).partial_cmp(&f32::from_bits(right as u32)),
             Self::Typed(DataType::LongReal) => f64::from_bits(left).partial_cmp(&f64::from_bits(right)),
             Self::Bits(16 | 32) => Some(self.signed(left).cmp(&self.signed(right))),
@@ -198,6 +292,8 @@ impl Kind {
     /// Content as it is shown.
     pub fn show(&self, content: &Content) -> Shown {
         match (self, content) {
+            (Self::Formatted(format, of), content) => Shown::Formatted(Box::new(format.show(of, content))),
+            (Self::Typed(data_type @ DataType::WideString(_)), Content::Bytes(bytes)) => Shown::Wide(text_of(bytes, data_type)),
             (Self::Typed(data_type), Content::Bytes(bytes)) => Shown::Text(text_of(bytes, data_type)),
             (_, Content::Bytes(bytes)) => Shown::Text(shown::hex_of(bytes)),
             (Self::Typed(data_type), Content::Bits(bits)) => match number_letters(data_type) {
@@ -206,6 +302,7 @@ impl Kind {
             },
             (Self::Bit, Content::Bits(bits)) => Shown::Bit(*bits != 0),
             (Self::Bits(width), Content::Bits(bits)) => Shown::Hex { bits: *bits, digits: (*width / 4) as usize },
+            (Self::TimeLeft, Content::Bits(bits)) => Shown::TimeLeft(*bits as u16),
             (Self::Number, Content::Bits(bits)) => Shown::Number(i64::try_from(*bits).unwrap_or(i64::MAX)),
             (Self::Status, Content::Bits(bits)) => Shown::Status(StatusWord(*bits as u16)),
             (Self::Bytes(_) | Self::Text, Content::Bits(_)) => Shown::Text(String::new()),
@@ -227,6 +324,6 @@ fn number_letters(data_type: &DataType) -> Option<&'static str> {
 }
 
 /// Whether a parameter of the type holds the number of a timer, counter or block.
-fn names_a_number(data_type: &DataType) -> bool {
+pub(crate) fn names_a_number(data_type: &DataType) -> bool {
     number_letters(data_type).is_some()
 }

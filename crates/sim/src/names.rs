@@ -3,6 +3,7 @@
 //! `exec`, scenarios and recordings speak of the same things in the same words. A name becomes an item here, once.
 
 mod assignments;
+mod catalogue;
 mod local;
 mod parsing;
 mod reading;
@@ -12,6 +13,7 @@ use std::fmt;
 use std::ops::Range;
 
 pub use assignments::assignments;
+pub use catalogue::catalogue;
 pub use local::{Scope, variables_of};
 use parsing::{absolute, named, symbolic};
 pub use reading::{Displayed, Sample, TEXT_BYTES_MAX};
@@ -23,6 +25,7 @@ use sieben_engine::{Machine, Program, Stored};
 use sieben_model::address::{Address, Area, Operand};
 use sieben_model::block::BlockId;
 use sieben_model::cpu_type::CpuType;
+use sieben_model::format::{Format, FormatError};
 use sieben_model::item::{Item, Local, Place, Start};
 use sieben_model::symbols::SymbolTable;
 use sieben_model::types::DataType;
@@ -31,17 +34,30 @@ pub use sieben_model::value::{Kind, Shown};
 
 /// Why a name or a value is of no use, in one sentence.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct NameError(String);
+pub struct NameError {
+    message: String,
+    /// What is wrong with the format that is asked for, if that is it.
+    format: Option<FormatError>,
+}
 
 impl NameError {
     pub(crate) fn new(message: impl Into<String>) -> Self {
-        Self(message.into())
+        Self { message: message.into(), format: None }
+    }
+
+    fn of_format(name: &str, error: FormatError) -> Self {
+        Self { message: error.of(name), format: Some(error) }
+    }
+
+    /// What is wrong with the format that is asked for; `None` if the name is wrong.
+    pub fn format(&self) -> Option<&FormatError> {
+        self.format.as_ref()
     }
 }
 
 impl fmt::Display for NameError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0)
+        f.write_str(&self.message)
     }
 }
 
@@ -62,7 +78,7 @@ impl Name {
     }
 
     /// Reads a name: `I 0.0`, `MW10`, `DB1.DBD4`, `DB1.speed`, `"Motor on"`, `T 1`, `T1.q`, `C 1`, `ACCU1`, `AR1`, `STW`, `STW.RLO`, `RLO`,
-    /// `P#DB1.DBX 0.0 BYTE 20`; addresses in either mnemonic language, spaces optional, letters in either case.
+    /// `P#DB1.DBX 0.0 BYTE 20`; addresses in either mnemonic language, spaces optional, letters in either case. A format can follow: `MD20:REAL`.
     ///
     /// # Errors
     /// Nothing is called that.
@@ -76,7 +92,21 @@ impl Name {
     /// Nothing is called that.
     pub fn parse_in(text: &str, scope: Option<Scope>, symbols: &SymbolTable, program: &Program) -> Result<Self, NameError> {
         let text = text.trim();
-        item(text, scope, symbols, program).map(|item| Self { text: text.to_owned(), item })
+        // A symbol may have a colon in its name.
+        let with_format = Format::split(text).filter(|_| symbols.find(text).is_none());
+        let Some((name, word)) = with_format else {
+            return item(text, scope, symbols, program).map(|item| Self { text: text.to_owned(), item });
+        };
+        let found = item(name, scope, symbols, program)?;
+        let format = Format::from_name(word).ok_or_else(|| FormatError::Unknown(word.to_owned()));
+        let formatted = format.and_then(|format| found.in_format(format));
+        formatted.map(|item| Self { text: text.to_owned(), item }).map_err(|error| NameError::of_format(name, error))
+    }
+
+    /// The name with a value as people read it: a timer with the time that it has left.
+    #[must_use]
+    pub fn readable(self) -> Self {
+        Self { item: self.item.readable(), ..self }
     }
 
     /// The name as the user wrote it.
@@ -223,7 +253,7 @@ impl Name {
     /// # Errors
     /// The expected value is none or does not fit, or the CPU has nothing of that name.
     pub fn holds(&self, cpu: &Cpu, expected: &str) -> Result<bool, NameError> {
-        if matches!(self.kind(), Kind::Typed(_)) && self.operand().is_none() && self.kind().is_recorded_as_text() {
+        if matches!(self.kind().plain(), Kind::Typed(_)) && self.operand().is_none() && self.kind().is_recorded_as_text() {
             return Ok(self.read(cpu)?.to_string() == expected);
         }
         let is_nan = expected.eq_ignore_ascii_case("NaN") && self.item.width() == 32;

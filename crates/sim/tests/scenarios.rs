@@ -242,7 +242,13 @@ fn a_scenario_that_comes_true_says_nothing() {
 #[test]
 fn a_scenario_that_does_not_come_true_says_where_and_what() {
     for (text, line, word) in [
-        ("set MW0=5\nscan\nexpect MW0=6", 3, "expected MW0 = 6, got 16#0005 after the scan at 0ms"),
+        ("set MW0=5\nscan\nexpect MW0=6", 3, "expected MW0 = 6, got 16#0005 (5) after the scan at 0ms"),
+        ("set MD20=16#41200000\nscan\nexpect MD20:REAL=5", 3, "expected MD20:REAL = 5, got 10.0 after"),
+        ("set IW4:BCD=-142\nscan\nexpect IW4=0", 3, "expected IW4 = 0, got 16#F142 (-3774) after"),
+        ("set T1=S5T#5S\nscan\nexpect T1=S5T#3S", 3, "got S5T#5S after"),
+        ("set T1=S5T#5S\nscan\nexpect T1=3", 3, "got 500 (S5T#5S) after"),
+        ("scan\nexpect MB3:REAL=1", 2, "`MB3` is a byte, and REAL shows a double word"),
+        ("scan\nexpect MD0:REL=1", 2, "`REL`, asked for with `MD0`, is no format"),
         ("expect MW0=6", 1, "before the first scan"),
         ("scan\nexpect nobody=1", 2, "nothing is called `nobody`"),
         ("scan\nexpect M 0.0=1 within 50ms", 2, "after the scan at 50ms"),

@@ -7,6 +7,8 @@ use serde_json::{Value, json};
 use sieben_cpu::{Cpu, OperatingMode, Restart};
 use sieben_engine::{FaultPlace, LocalAccess, Machine, StatementEvent, Tracer};
 use sieben_jit::StatusBits;
+use sieben_model::address::Operand;
+use sieben_model::mnemonics::Mnemonics;
 use sieben_sim::names::Name;
 use sieben_sim::trace::Moment;
 use sieben_workspace::controller;
@@ -48,9 +50,15 @@ pub(crate) struct Arguments {
     schedule: ScheduleArguments,
     #[command(flatten)]
     faults: FaultArguments,
-    /// Print these: as --set, and T 1, C 1, T1.q (status bit), STW.RLO
+    /// Print these: as --set, and T 1, C 1, T1.q (status bit), STW.RLO; in a format with MD20:REAL
     #[arg(long, value_name = "NAME,…")]
     show: Vec<String>,
+    /// Print all names that have a value: symbols, variables, fields of data blocks
+    #[arg(long)]
+    show_all: bool,
+    /// List all names that --show knows, with what they are, and run nothing
+    #[arg(long, conflicts_with_all = ["show", "show_all"])]
+    list_names: bool,
     /// Print after each scan, not only after the last
     #[arg(long)]
     every: bool,
@@ -90,7 +98,14 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let mut cpu = controller::load(&build, arguments.engine.factory(StatusBits::All), controller::settings(&build));
     arguments.faults.inject(&mut cpu)?;
     let symbols = &build.project.symbols;
-    let shown = names::resolve_lists(&arguments.show, symbols, &cpu)?;
+    let mut shown: Vec<Asked> = names::resolve_lists(&arguments.show, symbols, &cpu)?.into_iter().map(Asked::by_name).collect();
+    if arguments.list_names || arguments.show_all {
+        let all = names::all(symbols, &cpu);
+        if arguments.list_names {
+            return list(&all, Places::new(&build).mnemonics, arguments.json).map(|()| Exit::Success);
+        }
+        shown.extend(all.into_iter().map(|name| Asked { name, how: How::Readable }));
+    }
     let mut changes = arguments.schedule.changes(symbols, &cpu)?;
 
     let places = Places::new(&build);
@@ -158,6 +173,49 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     }
 }
 
+/// A value that is printed.
+struct Asked {
+    name: Name,
+    how: How,
+}
+
+/// How a value is printed.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum How {
+    /// As scenarios write it, so that scripts can compare it.
+    Plain,
+    /// As people read it.
+    Readable,
+}
+
+impl Asked {
+    fn by_name(name: Name) -> Self {
+        Self { name, how: How::Plain }
+    }
+}
+
+/// Prints names with what they are.
+fn list(all: &[Name], mnemonics: Mnemonics, json: bool) -> Result<(), Failure> {
+    let address = |name: &Name| name.operand().map(|operand| operand.spell(mnemonics));
+    let what = |name: &Name| match name.operand() {
+        Some(Operand::Timer(_)) => "TIMER".to_owned(),
+        Some(Operand::Counter(_)) => "COUNTER".to_owned(),
+        _ => name.kind().type_word().unwrap_or_default(),
+    };
+    if json {
+        let one = |name: &Name| json!({ "name": name.text(), "address": address(name), "type": what(name) });
+        return output::print_json(&json!({ "names": all.iter().map(one).collect::<Vec<_>>() }), false);
+    }
+    if all.is_empty() {
+        output::message("The program has no symbols, variables or data blocks; addresses such as `MW10` can be shown all the same.\n");
+    }
+    let rows: Vec<[String; 3]> = all.iter().map(|name| [name.text().to_owned(), what(name), address(name).unwrap_or_default()]).collect();
+    let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0).min(WIDTH_MAX);
+    let (names, types) = (width(0), width(1));
+    let line = |[name, what, address]: &[String; 3]| format!("{name:<names$}  {what:<types$}  {address}").trim_end().to_owned() + "\n";
+    output::print(&rows.iter().map(line).collect::<String>())
+}
+
 /// The two that may watch a run.
 struct Both<'a, 'd> {
     check: Option<&'a mut LocalCheck>,
@@ -191,7 +249,7 @@ impl Tracer for Both<'_, '_> {
 /// Longest name whose column is lined up.
 const WIDTH_MAX: usize = 160;
 
-fn print_scan(arguments: &Arguments, build: &Build, cpu: &Cpu, shown: &[Name], moment: Moment) -> Result<(), Failure> {
+fn print_scan(arguments: &Arguments, build: &Build, cpu: &Cpu, shown: &[Asked], moment: Moment) -> Result<(), Failure> {
     if arguments.json {
         let mut object = scan_json(cpu, shown, moment);
         if let Some(failed) = Failed::of(build, cpu) {
@@ -207,15 +265,23 @@ fn print_scan(arguments: &Arguments, build: &Build, cpu: &Cpu, shown: &[Name], m
         text.push_str(&format!("{moment}: {}\n", cpu.mode()));
     }
     let indent = if arguments.every { "  " } else { "" };
-    let width = shown.iter().map(|name| name.text().chars().count()).max().unwrap_or(0).min(WIDTH_MAX);
-    for name in shown {
-        text.push_str(&format!("{indent}{:<width$} = {}\n", name.text(), names::text(name, cpu)));
+    let width = shown.iter().map(|asked| asked.name.text().chars().count()).max().unwrap_or(0).min(WIDTH_MAX);
+    for Asked { name, how } in shown {
+        let value = match how {
+            How::Plain => names::text(name, cpu),
+            How::Readable => names::readable(name, cpu),
+        };
+        text.push_str(&format!("{indent}{:<width$} = {value}\n", name.text()));
+        for line in names::details(name, cpu) {
+            text.push_str(&format!("{indent}{:<width$}   {line}\n", ""));
+        }
     }
     output::print(&text)
 }
 
-fn scan_json(cpu: &Cpu, shown: &[Name], Moment { scan, time_us }: Moment) -> Value {
-    let values: serde_json::Map<String, Value> = shown.iter().map(|name| (name.text().to_owned(), names::to_json(name, cpu))).collect();
+fn scan_json(cpu: &Cpu, shown: &[Asked], Moment { scan, time_us }: Moment) -> Value {
+    let values: serde_json::Map<String, Value> =
+        shown.iter().map(|asked| (asked.name.text().to_owned(), names::to_json(&asked.name, cpu))).collect();
     let mut object = json!({ "scan": scan, "time_ms": duration::milliseconds(time_us), "values": values, "mode": cpu.mode().to_string() });
     if let Some(cause) = cpu.stop_cause().filter(|_| cpu.mode() == OperatingMode::Stop) {
         object["stop"] = controller::stop_json(cause);

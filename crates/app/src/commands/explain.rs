@@ -92,7 +92,8 @@ const PAGES: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/problem_pages
   sieben explain AR1           a word of a course: a register, a type, a part of an operand\n  \
   sieben explain instructions  all of them; also: functions, problems, cpu, library, system, ob\n  \
   sieben explain status        what every instruction does to the status word\n  \
-  sieben explain jumps         when every jump jumps")]
+  sieben explain jumps         when every jump jumps\n  \
+  sieben explain formats       how values can be shown: `--show MD20:REAL`")]
 pub(crate) struct Arguments {
     /// What to explain
     #[arg(required = true, value_name = "WORD", allow_hyphen_values = true)]
@@ -125,6 +126,9 @@ fn explain(word: &str) -> Option<String> {
     }
     if word.eq_ignore_ascii_case("functions") {
         return Some(functions::functions());
+    }
+    if word.eq_ignore_ascii_case("formats") {
+        return Some(tables::formats());
     }
     if word.eq_ignore_ascii_case("status") {
         return Some(tables::status());

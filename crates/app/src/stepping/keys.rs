@@ -30,6 +30,8 @@ pub(super) enum Command {
     Variables,
     /// Shows the network as a diagram, or hides it.
     Diagram,
+    /// Shows accumulators and address registers bit by bit, or hides that.
+    RegisterBits,
     /// English or German.
     Language,
     /// Shows all keys, or hides them.
@@ -77,6 +79,7 @@ pub(super) fn command(key: Key, typing: bool) -> Option<Command> {
                 'g' => Command::ToCursor,
                 ' ' => Command::Toggle,
                 'd' => Command::Diagram,
+                'x' => Command::RegisterBits,
                 'l' => Command::Language,
                 'v' => Command::Variables,
                 'h' | '?' => Command::Help,

@@ -7,9 +7,11 @@ use sieben_engine::machine::Registers;
 use sieben_engine::{FaultPlace, Machine, StatementEvent};
 use sieben_ide::drawing::text::Characters;
 use sieben_model::address::{Address, Area, Width};
+use sieben_model::format::Format;
 use sieben_model::literal::Value;
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::source::FileId;
+use sieben_model::value::{Content, Kind};
 use sieben_model::visible::visible;
 use sieben_sim::history::{Target, Watch};
 use sieben_sim::names::Setting;
@@ -55,6 +57,8 @@ pub(super) struct Screen {
     switched_in: u64,
     /// What the network is drawn as, above its statements.
     diagram: Option<Form>,
+    /// Accumulators and address registers are shown bit by bit in its place.
+    register_bits: bool,
     /// The sources of the blocks, once a diagram was asked for.
     blocks: Option<Rc<Blocks>>,
     message: String,
@@ -150,6 +154,7 @@ impl Screen {
             switched: HashMap::new(),
             switched_in: 0,
             diagram: None,
+            register_bits: false,
             blocks: None,
             message: pick(session.language, greeting).to_owned(),
             prompt: None,
@@ -211,7 +216,12 @@ impl Screen {
                 self.variables = !self.variables;
                 self.focus = Focus::Source;
             }
+            Command::RegisterBits => {
+                self.register_bits = !self.register_bits;
+                self.diagram = None;
+            }
             Command::Diagram => {
+                self.register_bits = false;
                 self.diagram = match self.diagram {
                     None => Some(Form::Lad),
                     Some(Form::Lad) => Some(Form::Fbd),
@@ -335,7 +345,10 @@ impl Screen {
     pub(super) fn picture(&mut self, session: &mut Session) -> Picture {
         let Trail { seen, order, .. } = trail(session);
         let view = session.view();
-        let diagram = self.diagram(session, &view, &order);
+        let diagram = match self.register_bits {
+            true => Some(register_bits(session)),
+            false => self.diagram(session, &view, &order),
+        };
         let texts = &session.build().project.texts.program;
         let file = texts.file(self.file);
         self.cursor = self.cursor.min(file.text.lines().count().saturating_sub(1));
@@ -389,7 +402,7 @@ impl Screen {
             let (block, values) =
                 session.locals().map_or((String::new(), Vec::new()), |(block, values)| (session.listing().called(block), values));
             let value = |one: session::LocalValue| {
-                (shown(one.name.text()), one.value.map_or_else(|| "-".to_owned(), |value| shown(&value.to_string())))
+                (shown(one.name.text()), one.value.map_or_else(|| "-".to_owned(), |value| shown(&value.readable())))
             };
             (block, values.into_iter().map(value).collect())
         });
@@ -416,6 +429,27 @@ impl Screen {
             view,
         }
     }
+}
+
+/// Accumulators and address registers bit by bit, below the numbers of the bits; beside them the number or pointer that they are.
+fn register_bits(session: &mut Session) -> (String, Vec<String>) {
+    let language = session.language;
+    let registers = session.registers();
+    let four = session.build().cpu.accumulators == 4;
+    let binary = |bits: u64| Format::Bin.show(&Kind::Bits(32), &Content::Bits(bits & u64::from(u32::MAX)));
+    let accumulator = |number: u32, bits: u64| {
+        let name = pick(language, ["ACCU", "AKKU"]);
+        format!("{name}{number} {}  {}", binary(bits).text, bits as u32 as i32)
+    };
+    let pointer_register = |number: u32, bits: u64| format!("AR{number}   {}  {}", binary(bits).text, pointer(bits));
+    let numbers = binary(0).details.concat();
+    let mut lines = vec![format!("      {numbers}")];
+    lines.extend([accumulator(1, registers.accu1), accumulator(2, registers.accu2)]);
+    lines.extend([pointer_register(1, registers.ar1), pointer_register(2, registers.ar2)]);
+    if four {
+        lines.extend([accumulator(3, registers.accu3), accumulator(4, registers.accu4)]);
+    }
+    (pick(language, ["Registers, bit by bit", "Register, Bit für Bit"]).to_owned(), lines)
 }
 
 /// A text in which nothing commands the terminal.

@@ -51,6 +51,19 @@ fn the_screen_shows_source_registers_and_reason() {
 }
 
 #[test]
+fn registers_are_shown_bit_by_bit_above_the_source_in_either_language() {
+    let screen = shown(&[STEP, STEP, STEP, Command::RegisterBits], Language::English, (80, 24));
+    let lines: Vec<&str> = screen.lines().map(|line| line.trim_matches(['"', '│', ' '])).collect();
+    let head = lines.iter().position(|line| line.contains("Registers, bit by bit")).expect("a title");
+    assert_eq!(lines[head + 1], "31   27   23   19   15   11   7    3", "{screen}");
+    for (line, name) in lines[head + 2..].iter().zip(["ACCU1 2#", "ACCU2 2#", "AR1   2#", "AR2   2#"]) {
+        assert!(line.starts_with(name), "{screen}");
+    }
+    let german = shown(&[Command::RegisterBits, Command::RegisterBits, Command::RegisterBits], Language::German, (80, 24));
+    assert!(german.contains("AKKU1 2#0000_0000_0000_0000_0000_0000_0000_0000  0"), "{german}");
+}
+
+#[test]
 fn the_picture_in_the_documentation_is_what_the_screen_shows() {
     let page = include_str!("../../../../docs/learn/step-through-a-network.md");
     let picture = page.split("```text\n").nth(1).and_then(|rest| rest.split("```").next()).expect("a picture on the page");

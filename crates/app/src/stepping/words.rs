@@ -35,11 +35,13 @@ const ERROR: Text = ["Error", "Fehler"];
 const HELP_WORD: Text = ["Help", "Hilfe"];
 
 /// What to do about a problem, in German; in English the table of problems says it.
-const HELP_GERMAN: [(&str, &str); 5] = [
+const HELP_GERMAN: [(&str, &str); 7] = [
     ("P7003", "Eine Adresse, ein Symbol, `DB1.name`, `#name` oder ein Register angeben."),
     ("P7004", "Einen Wert angeben, der zu dem Namen passt: `I0.0=1`, `MW10=W#16#00FF`."),
     ("P7040", "`help` zeigt die Befehle."),
     ("P7041", "So geht es: `FC 1:3` (die dritte Anweisung), `FC 1:marke` oder `main.awl:12` (eine Zeile)."),
+    ("P7125", "Nach dem Doppelpunkt steht ein Format: `MW10:INT`; `sieben explain formats` zeigt alle."),
+    ("P7126", "Ein Format für so viele Bits wählen, wie der Wert hat; `sieben explain formats` zeigt alle."),
     ("P7042", "Ein Name, eines von =, <>, >, >=, <, <= und ein Wert: `MW10 > 5`."),
 ];
 
@@ -67,6 +69,7 @@ pub(crate) const HELP: &[(&str, Text)] = &[
     ("⇥", ["between source and bits; ← → choose a bit", "zwischen Quelle und Bits; ← → wählen ein Bit"]),
     ("v", ["bits, or the variables of the block", "Bits oder die Variablen des Bausteins"]),
     ("d", ["the network as a diagram, as ladder, FBD or not", "das Netzwerk als Plan: KOP, FUP oder keiner"]),
+    ("x", ["accumulators and address registers bit by bit", "Akkumulatoren und Adressregister Bit für Bit"]),
     ("w p f", ["watch a value, print one, find who changed one", "Wert beobachten, zeigen, finden, wer ihn änderte"]),
     (":", ["any command of `sieben step --commands`", "jeder Befehl von `sieben step --commands`"]),
     ("l", ["German", "Englisch"]),

@@ -6,7 +6,7 @@ use sieben_model::item::{Bytes, Item, Place};
 use sieben_model::value::{Content, Kind, Value};
 
 use super::Cpu;
-use crate::items::{Moment, Spot, content_of, range_of};
+use crate::items::{Moment, Spot, content_of, range_of, s5time_of};
 use crate::station::{AccessError, Station};
 
 /// Accumulators that only a CPU with four of them has.
@@ -30,6 +30,10 @@ impl Cpu {
                 let bytes = as_bytes(operand).ok_or(AccessError::NotAccessible)?;
                 self.range(&bytes).map(|bytes| content_of(&item.kind, &bytes))
             }
+            Place::Operand(Operand::Timer(number)) if item.is_time_of_timer() => match self.timer(*number) {
+                Some(timer) => Ok(Content::Bits(u64::from(s5time_of(timer.base, timer.value)))),
+                None => Err(AccessError::Outside),
+            },
             Place::Operand(operand) => self.read(operand).map(|bits| Content::Bits(u64::from(bits))),
             Place::TimerStatus(number) => match self.timer(*number) {
                 Some(reading) => Ok(Content::Bits(u64::from(reading.status))),
@@ -85,7 +89,7 @@ impl Cpu {
             }
             (Place::TimerStatus(_), _) => Err(AccessError::ReadOnly),
             (Place::Bytes(bytes), Content::Bytes(values)) => self.set_range(bytes, values),
-            (Place::Bytes(bytes), Content::Bits(bits)) if bytes.length <= 8 && !matches!(item.kind, Kind::Bytes(_)) => {
+            (Place::Bytes(bytes), Content::Bits(bits)) if bytes.length <= 8 && !matches!(item.kind.plain(), Kind::Bytes(_)) => {
                 let first = 8 - bytes.length as usize;
                 self.set_range(bytes, &bits.to_be_bytes()[first..])
             }

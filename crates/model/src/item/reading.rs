@@ -5,6 +5,7 @@ use std::fmt;
 use super::{Item, Place};
 use crate::address::Operand;
 use crate::bcd;
+use crate::format::Format;
 use crate::literal::{self, LiteralError, Value as Constant};
 use crate::registers::StatusWord;
 use crate::types::DataType;
@@ -75,7 +76,7 @@ impl Item {
     /// The text is no constant, or does not fit.
     pub fn value(&self, text: &str) -> Result<Value, ValueError> {
         let text = text.trim();
-        let content = match &self.kind {
+        let content = match self.kind.plain() {
             Kind::Typed(DataType::String(length_max)) => Content::Bytes(characters(text, *length_max)?),
             Kind::Bytes(length) => Content::Bytes(bytes(text, *length)?),
             Kind::Typed(data_type) if data_type.stands_in_bytes() => return Err(trouble(text, Trouble::ReadOnly)),
@@ -89,15 +90,15 @@ impl Item {
     /// # Errors
     /// As of [`Self::value`].
     pub fn expected(&self, text: &str) -> Result<Value, ValueError> {
-        match (text.trim().eq_ignore_ascii_case("NaN"), &self.kind) {
+        match (text.trim().eq_ignore_ascii_case("NaN"), &*self.kind.meaning()) {
             (true, Kind::Typed(DataType::LongReal)) | (false, _) => self.value(text),
             (true, _) if self.width() == 32 => Ok(Value::bits(self.kind.clone(), u64::from(f32::NAN.to_bits()))),
             (true, _) => Err(trouble(text, Trouble::NoReal)),
         }
     }
 
-    fn data_type(&self) -> Option<&DataType> {
-        match &self.kind {
+    fn data_type(&self) -> Option<DataType> {
+        match self.kind.meaning().into_owned() {
             Kind::Typed(data_type) => Some(data_type),
             _ => None,
         }
@@ -105,7 +106,7 @@ impl Item {
 
     fn bits(&self, text: &str) -> Result<u64, ValueError> {
         let width = self.width();
-        if self.kind == Kind::Status {
+        if *self.kind.plain() == Kind::Status {
             if let Some(word) = StatusWord::parse(text) {
                 return Ok(u64::from(word.0));
             }
@@ -126,9 +127,12 @@ impl Item {
             return Ok(u64::from(number.to_bits()));
         }
         if let Some(data_type) = self.data_type()
-            && let Some(bits) = literal::elsewhere::parse_as(data_type, text)
+            && let Some(bits) = literal::elsewhere::parse_as(&data_type, text)
         {
             return Ok(bits);
+        }
+        if let (Kind::Formatted(Format::Bcd, _), Ok(number)) = (&self.kind, text.parse::<i64>()) {
+            return decimal_digits(number, width).ok_or_else(|| trouble(text, Trouble::TooLarge(width)));
         }
         if let Ok(number) = text.parse::<i64>() {
             return self.integer(text, number);
@@ -164,6 +168,14 @@ impl Item {
         }
         Ok((number as u64) & if taken >= 64 { u64::MAX } else { (1 << taken) - 1 })
     }
+}
+
+/// A number as decimal digits of four bits each, with 15 before them for a minus; `None` if there are too many.
+fn decimal_digits(number: i64, width: u32) -> Option<u64> {
+    let digits = width / 4 - u32::from(number < 0);
+    let size = u32::try_from(number.unsigned_abs()).ok().filter(|&size| u64::from(size) < 10_u64.pow(digits))?;
+    let minus = if number < 0 { 0xF_u64 << (width - 4) } else { 0 };
+    (number >= 0 || width > 8).then_some(minus | u64::from(bcd::encode(size)))
 }
 
 fn trouble(text: &str, kind: Trouble) -> ValueError {

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use crate::bcd;
+use crate::format::{Formatted, spell_long_real, spell_real};
 use crate::literal::{self, Value as Constant};
 use crate::registers::StatusWord;
 use crate::types::DataType;
@@ -20,6 +22,8 @@ pub enum Shown {
     },
     /// A number: timers, counters, INT and DINT.
     Number(i64),
+    /// What a timer has left, as the word of S5TIME.
+    TimeLeft(u16),
     /// A REAL.
     Real(f32),
     /// An LREAL.
@@ -28,6 +32,31 @@ pub enum Shown {
     Status(StatusWord),
     /// A constant in the notation of its type.
     Text(String),
+    /// The characters of a WSTRING.
+    Wide(String),
+    /// A value in the format that a user asked for.
+    Formatted(Box<Formatted>),
+}
+
+impl Shown {
+    /// As people read it, beside the bits also the number that they are: `16#FFFE (-2)`, `10.0`, `"…"` for a WSTRING.
+    pub fn readable(&self) -> String {
+        match self {
+            Self::Hex { bits, digits } => {
+                let number = match digits {
+                    4 => i64::from(*bits as u16 as i16),
+                    8 => i64::from(*bits as u32 as i32),
+                    _ => *bits as i64,
+                };
+                format!("{self} ({number})")
+            }
+            Self::TimeLeft(word) => literal::format_as(&DataType::S5Time, u64::from(*word)),
+            Self::Real(value) => spell_real(*value),
+            Self::LongReal(value) => spell_long_real(*value),
+            Self::Wide(text) => literal::spell_wide(text),
+            shown => shown.to_string(),
+        }
+    }
 }
 
 impl fmt::Display for Shown {
@@ -41,10 +70,13 @@ impl fmt::Display for Shown {
             }
             Self::Hex { bits, digits } => write!(f, "16#{bits:0digits$X}"),
             Self::Number(number) => write!(f, "{number}"),
+            Self::TimeLeft(word) => write!(f, "{}", bcd::decode(u32::from(*word), 3)),
             Self::Real(value) => f.write_str(&literal::format_as(&DataType::Real, u64::from(value.to_bits()))),
             Self::LongReal(value) => f.write_str(&literal::format_as(&DataType::LongReal, value.to_bits())),
             Self::Status(word) => write!(f, "{word}"),
             Self::Text(text) => f.write_str(text),
+            Self::Wide(text) => write!(f, "'{text}'"),
+            Self::Formatted(formatted) => f.write_str(&formatted.text),
         }
     }
 }
@@ -72,7 +104,7 @@ impl Shown {
     }
 }
 
-/// Bytes of a type that is no number, as people read them.
+/// Bytes of a type that is no number, as people read them; the characters of a WSTRING by themselves.
 pub fn text_of(bytes: &[u8], data_type: &DataType) -> String {
     match data_type {
         DataType::String(_) => {
@@ -82,7 +114,7 @@ pub fn text_of(bytes: &[u8], data_type: &DataType) -> String {
         DataType::WideString(_) => {
             let word = |at: usize| bytes.get(at..at + 2).map_or(0, |pair| u16::from_be_bytes([pair[0], pair[1]]));
             let units: Vec<u16> = (0..usize::from(word(2))).map(|index| word(4 + 2 * index)).collect();
-            format!("'{}'", String::from_utf16_lossy(&units))
+            String::from_utf16_lossy(&units)
         }
         DataType::Any => <[u8; 10]>::try_from(bytes).map(|bytes| Constant::Any(bytes).spell()).unwrap_or_default(),
         _ => hex_of(bytes),

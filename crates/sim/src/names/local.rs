@@ -110,7 +110,7 @@ pub fn variables_of(block: BlockId, program: &Program, values_max: usize) -> Vec
 }
 
 /// The single values of a type, each with its path.
-fn parts(data_type: &DataType, path: &str, left: &mut usize, say: &mut dyn FnMut(&str, &DataType)) {
+pub(super) fn parts(data_type: &DataType, path: &str, left: &mut usize, say: &mut dyn FnMut(&str, &DataType)) {
     match data_type {
         _ if *left == 0 => {}
         DataType::Struct(structure) | DataType::Instance { structure, .. } => {

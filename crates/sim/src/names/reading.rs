@@ -58,6 +58,11 @@ impl Sample {
         Displayed { kind, value: self }
     }
 
+    /// The value as people read it in a message; `-` if there is none.
+    pub fn readable(&self, kind: &Kind) -> String {
+        self.shown(kind).map_or_else(|| "-".to_owned(), |shown| shown.readable())
+    }
+
     /// The value as a number on a scale; `None` for what has no scale.
     pub fn number(&self, kind: &Kind) -> Option<f64> {
         match self {

@@ -101,7 +101,7 @@ impl Held {
     }
 
     pub(super) fn show(&self, sample: &Sample) -> String {
-        sample.display(&self.kind).to_string()
+        sample.readable(&self.kind)
     }
 
     /// Looks at the CPU behind a scan; a scan that is decided by that and is wrong.

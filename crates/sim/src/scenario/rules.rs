@@ -105,7 +105,7 @@ pub(super) fn agree(kind: &Kind, tolerance: Option<Tolerance>, expected: &Sample
     if expected == actual {
         return true;
     }
-    let real = |sample: &Sample| match (kind, sample) {
+    let real = |sample: &Sample| match (&*kind.meaning(), sample) {
         (Kind::Typed(sieben_model::types::DataType::Real), Sample::Bits(bits)) => Some(f32::from_bits(*bits as u32)),
         _ => None,
     };

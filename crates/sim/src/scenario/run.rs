@@ -10,7 +10,7 @@ use sieben_model::symbols::SymbolTable;
 use super::held::{Difference, Held, Holding};
 use super::spelling::{self, is_input};
 use super::{Assignment, Assignments, Command, Deed, Happened, Onlooker, Rules, SCANS_MAX, Scenario, ScenarioError};
-use crate::names::{Name, NameError, Sample, Setting};
+use crate::names::{Name, NameError, Sample, Setting, Shown};
 use crate::trace::Moment;
 use crate::wrap;
 
@@ -401,7 +401,7 @@ impl<'a, 'o> Run<'a, 'o> {
     fn is_not(&mut self, name: &str, expected: &str) -> Option<(String, Option<Difference>)> {
         let compared = self.name(name).and_then(|parsed| match parsed.holds(&self.cpu, expected)? {
             true => Ok(None),
-            false => Ok(Some((format!("expected {name} = {expected}, got {}", parsed.read(&self.cpu)?), parsed))),
+            false => Ok(Some((format!("expected {name} = {expected}, got {}", readable(&parsed, expected, &self.cpu)?), parsed))),
         });
         match compared {
             Ok(None) => None,
@@ -469,4 +469,14 @@ impl<'a, 'o> Run<'a, 'o> {
             self.fail(format!("no scan came at {} or later", spelling::time(time)));
         }
     }
+}
+
+/// A value as a message shows it, beside what was expected of it: a timer as a time, with its count where one was expected.
+fn readable(name: &Name, expected: &str, cpu: &Cpu) -> Result<String, NameError> {
+    let shown = name.read(cpu)?;
+    if !name.is_timer() || !matches!(shown, Shown::Number(_)) {
+        return Ok(shown.readable());
+    }
+    let time = name.clone().readable().read(cpu)?.readable();
+    Ok(if expected.contains('#') { time } else { format!("{shown} ({time})") })
 }

@@ -2,6 +2,7 @@
 
 use sieben_cpu::{DateAndTime, Interrupt, Restart};
 use sieben_model::address::{Area, Operand};
+use sieben_model::format::Format;
 use sieben_model::literal;
 use sieben_model::types::DataType;
 use sieben_model::value::Content;
@@ -18,8 +19,11 @@ pub(super) fn time(us: u64) -> String {
     }
 }
 
-/// A name so that a line gives it back: in quotes, unless it is an address or one word.
+/// A name so that a line gives it back: in quotes, unless it is an address or one word; its format after the quotes.
 pub(super) fn name(text: &str) -> String {
+    if let Some((plain, format)) = Format::split(text).and_then(|(plain, word)| Some((plain, Format::from_name(word)?))) {
+        return format!("{}:{format}", name(plain));
+    }
     let one_word = |part: &str| {
         part.chars().all(|c| c.is_alphanumeric() || matches!(c, '_' | '[' | ']' | ','))
             && part.starts_with(|c: char| c.is_alphabetic() || c == '_')
@@ -49,7 +53,7 @@ pub(super) fn bits_of(name: &Name, bits: u64) -> String {
     if kept {
         return text;
     }
-    match name.kind() {
+    match name.kind().plain() {
         // Numbers that REAL has several of, and characters that no text shows.
         Kind::Typed(data_type) if data_type.bits() == 64 => format!("16#{bits:016X}"),
         kind => format!("16#{bits:0digits$X}", digits = (kind.width().max(4) / 4) as usize),

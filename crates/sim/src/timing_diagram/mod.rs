@@ -13,9 +13,7 @@ use std::ops::RangeInclusive;
 pub use svg::svg;
 pub use text::text;
 
-use sieben_model::types::DataType;
-
-use crate::names::{Kind, Sample};
+use crate::names::{Sample, Shown};
 use crate::trace::{Channel, Moment};
 
 /// A moment that is pointed at.
@@ -66,26 +64,21 @@ impl Options {
     }
 }
 
-/// Sizes of a REAL that is drawn with all its digits before the point; others have an exponent.
-const PLAIN: std::ops::Range<f64> = 0.001..1_000_000.0;
-
 /// A value as a diagram labels it: a REAL as people write it, `1.5`, everything else as everywhere.
 fn shown(channel: &Channel, value: &Sample) -> String {
-    let plain = |size: f64| size == 0.0 || PLAIN.contains(&size);
-    match (&channel.kind, value) {
-        (Kind::Typed(DataType::Real), Sample::Bits(bits)) if plain(f64::from(f32::from_bits(*bits as u32)).abs()) => {
-            format!("{:?}", f32::from_bits(*bits as u32))
-        }
-        (Kind::Typed(DataType::LongReal), Sample::Bits(bits)) if plain(f64::from_bits(*bits).abs()) => {
-            format!("{:?}", f64::from_bits(*bits))
-        }
-        (kind, value) => value.display(kind).to_string(),
+    match value.shown(&channel.kind) {
+        Some(shown @ (Shown::Real(_) | Shown::LongReal(_) | Shown::TimeLeft(_))) => shown.readable(),
+        Some(shown) => shown.to_string(),
+        None => "-".to_owned(),
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use sieben_model::types::DataType;
+
     use super::*;
+    use crate::names::Kind;
 
     #[test]
     fn a_real_is_labelled_as_people_write_it() {

@@ -4,6 +4,8 @@ use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::ops::RangeInclusive;
 
+use sieben_model::bcd;
+use sieben_model::format::Format;
 use sieben_model::types::DataType;
 
 use super::{Channel, Trace, TraceError};
@@ -24,11 +26,21 @@ enum Form {
 
 impl Form {
     fn of(kind: &Kind) -> Self {
+        if let Kind::Formatted(format, of) = kind {
+            return match format {
+                Format::Bin | Format::Hex | Format::Bool => Self::of(of),
+                Format::Dec | Format::Int | Format::Dint | Format::Lint | Format::Real | Format::Lreal if !of.is_recorded_as_text() => {
+                    Self::of(&kind.meaning())
+                }
+                _ => Self::Text,
+            };
+        }
         match kind {
+            Kind::Formatted(..) => Self::Text,
             Kind::Bit => Self::Wire(1),
             Kind::Bits(width) => Self::Wire(*width),
             Kind::Status => Self::Wire(9),
-            Kind::Number => Self::Integer(32),
+            Kind::Number | Kind::TimeLeft => Self::Integer(32),
             Kind::Typed(DataType::Real | DataType::LongReal) => Self::Real,
             Kind::Typed(DataType::LongWord) => Self::Wire(64),
             Kind::Typed(
@@ -111,13 +123,18 @@ fn change(channel: &Channel, value: &Sample, index: usize, out: &mut dyn Write) 
         (Form::Wire(1), Sample::Bits(bits)) => writeln!(out, "{bits}{id}"),
         (Form::Wire(1), _) => writeln!(out, "x{id}"),
         (Form::Integer(width), Sample::Bits(bits)) => {
+            let bits = match channel.kind {
+                // The count, as `L` loads it.
+                Kind::TimeLeft => u64::from(bcd::decode(*bits as u32, 3)),
+                _ => *bits,
+            };
             let bits = bits & if width >= 64 { u64::MAX } else { (1 << width) - 1 };
             writeln!(out, "b{bits:0width$b} {id}", width = width as usize)
         }
         (Form::Wire(_), Sample::Bits(bits)) => writeln!(out, "b{bits:b} {id}"),
         (Form::Wire(_) | Form::Integer(_), _) => writeln!(out, "bx {id}"),
         (Form::Real, Sample::Bits(bits)) => {
-            let number = match channel.kind {
+            let number = match *channel.kind.meaning() {
                 Kind::Typed(DataType::LongReal) => f64::from_bits(*bits),
                 _ => f64::from(f32::from_bits(*bits as u32)),
             };

@@ -314,7 +314,7 @@ fn value_json((name, value): &(String, Result<Value, Refusal>)) -> Json {
     match value {
         Ok(value) => {
             let shown = value.shown();
-            json!({ "name": name, "value": shown_json(&shown), "shown": shown.to_string() })
+            json!({ "name": name, "value": shown_json(&shown), "shown": shown.readable() })
         }
         Err(refusal) => json!({ "name": name, "error": refusal_json(refusal) }),
     }

@@ -80,7 +80,7 @@ impl From<ListError> for Refusal {
 }
 
 fn unknown(error: &NameError) -> Refusal {
-    Refusal::new(Problem::P7003, error.to_string())
+    crate::names::refused(error)
 }
 
 fn unfit(error: &NameError) -> Refusal {
@@ -378,7 +378,7 @@ fn nothing_done(meant: Meant<(Name, Value)>) -> Done {
 
 /// Bytes that the value of an item has at most.
 fn bytes_of(item: &Item) -> u64 {
-    match (&item.place, &item.kind) {
+    match (&item.place, item.kind.plain()) {
         (Place::Bytes(bytes), _) => u64::from(bytes.length),
         (_, Kind::Typed(data_type)) => data_type.bits().div_ceil(8),
         _ => 8,

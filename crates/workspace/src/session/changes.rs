@@ -1,9 +1,12 @@
 //! What a statement has changed: values of memory, timers and counters, registers.
 
+use sieben_cpu::Moment;
 use sieben_engine::machine::{Register, Registers};
 use sieben_engine::{Machine, Program};
 use sieben_model::address::{Address, Area, Operand, Width};
+use sieben_model::item::Item;
 use sieben_model::mnemonics::Mnemonics;
+use sieben_model::value::{Content, Kind};
 use sieben_sim::names::Name;
 
 /// Changes of memory that are told; a block move changes more than a person reads.
@@ -33,7 +36,7 @@ pub(super) fn of_memory(before: &Machine, after: &Machine, written: Option<&Name
         && old != new
     {
         covered = range;
-        changes.push(Change { name: name.text().to_owned(), before: old.to_string(), after: new.to_string() });
+        changes.push(Change { name: name.text().to_owned(), before: old.readable(), after: new.readable() });
     }
     let (old, new) = (&before.memory.arena, &after.memory.arena);
     let mut at = 0;
@@ -61,7 +64,10 @@ pub(super) fn of_memory(before: &Machine, after: &Machine, written: Option<&Name
                 let mut timer = timer.clone();
                 timer.refresh(machine.clock_us);
                 let state = if timer.running { "running" } else { "stopped" };
-                format!("{} ({state}, {})", timer.remaining(machine.clock_us), u8::from(timer.status))
+                let item = Item::operand(Operand::Timer(number)).readable();
+                let left =
+                    Moment { machine, registers: &machine.registers }.content(&item).map(|content| item.kind.show(&content).readable());
+                format!("{} ({state}, {})", left.unwrap_or_default(), u8::from(timer.status))
             };
             changes.push(Change { name: Operand::Timer(number).spell(mnemonics), before: shown(before, old), after: shown(after, new) });
         }
@@ -119,7 +125,10 @@ fn bytes(machine: &Machine, at: usize, count: usize, old: &[u8], new: &[u8], mne
     let operand = db.map_or(Operand::Address(address), |db| Operand::InDataBlock { db, address });
     let value = |bytes: &[u8]| match width {
         Width::Bit => (bytes[at] >> bit & 1).to_string(),
-        _ => format!("16#{}", bytes[at..at + width.bytes() as usize].iter().map(|byte| format!("{byte:02X}")).collect::<String>()),
+        _ => {
+            let bits = bytes[at..at + width.bytes() as usize].iter().fold(0, |bits, &byte| bits << 8 | u64::from(byte));
+            Kind::Bits(width.bits()).show(&Content::Bits(bits)).readable()
+        }
     };
     Some(Change { name: operand.spell(mnemonics), before: value(old), after: value(new) })
 }

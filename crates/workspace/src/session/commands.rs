@@ -284,7 +284,10 @@ fn name(session: &Session, text: &str, block: Option<BlockId>) -> Result<Name, R
     let variables = block.and_then(|block| session.cpu().program().code.get(&block));
     let variables = variables.map_or(&[][..], |code| &code.interface.variables);
     session.name_in(text, block).map_err(|error| {
-        let refusal = Refusal::new(Problem::P7003, error.to_string());
+        let refusal = command_names::refused(&error);
+        if refusal.problem != Problem::P7003 {
+            return refusal;
+        }
         let plain = text.trim_matches(['"', '#']);
         let known = session.build().project.symbols.symbols().iter().map(|symbol| symbol.name.clone());
         let known: Vec<String> = known.chain(variables.iter().map(|variable| format!("#{}", variable.name))).collect();

@@ -375,7 +375,7 @@ impl Session {
     /// # Errors
     /// It is a variable of an instance, and which one cannot be told here.
     pub fn bound(&self, name: Name) -> Result<Name, NameError> {
-        name.of_this_instance(self.cpu().machine(), self.cpu().registers())
+        name.readable().of_this_instance(self.cpu().machine(), self.cpu().registers())
     }
 
     /// The variables of the block where the run stands, with their values; `None` if no block runs.
@@ -546,8 +546,8 @@ impl Session {
 
     /// The value of a name here, as people read it.
     pub fn value(&self, name: &Name) -> String {
-        match (name.read(self.cpu()), name.block()) {
-            (Ok(shown), _) => shown.to_string(),
+        match (name.clone().readable().read(self.cpu()), name.block()) {
+            (Ok(shown), _) => shown.readable(),
             (Err(_), Some(block)) => self.say(texts::NOT_HERE, &[&block]),
             (Err(_), None) => self.say(texts::NOT_LOADED, &[]),
         }
@@ -555,7 +555,7 @@ impl Session {
 
     /// A value as people read it, or that it is not there.
     fn shown(&self, name: &Name, bits: Option<u64>) -> String {
-        bits.map_or_else(|| self.say(texts::NOT_THERE, &[]), |bits| name.show_bits(bits).to_string())
+        bits.map_or_else(|| self.say(texts::NOT_THERE, &[]), |bits| name.show_bits(bits).readable())
     }
 }
 

@@ -5,7 +5,7 @@ use sieben_cpu::OperatingMode;
 use sieben_model::block::BlockId;
 use sieben_model::interface::Section;
 use sieben_sim::history::{Breakpoint, By, Halt};
-use sieben_sim::names::{Name, Setting};
+use sieben_sim::names::{Name, Setting, Shown};
 
 use super::commands::Answer;
 use super::{Change, Language, Line, LocalValue, Session, View, Who, texts};
@@ -110,7 +110,7 @@ pub fn answer(session: &mut Session, answer: &Answer) -> String {
             let lines: String = entries.map(|entry| format!("    {}\n", failed::entry_text(session.build(), entry))).collect();
             format!("  {failed}\n  {}\n{lines}", session.say(texts::DIAGNOSTIC_BUFFER, &[]))
         }
-        Answer::Values(names) => names.iter().map(|name| format!("  {} = {}\n", name.text(), session.value(name))).collect(),
+        Answer::Values(names) => names.iter().map(|name| value_text(session, name)).collect(),
         Answer::Locals(locals) => locals_text(session, locals.as_ref()),
         Answer::Set(Setting { name, text, .. }) => {
             let taken = name.holds(session.cpu(), text).unwrap_or(true);
@@ -128,6 +128,14 @@ pub fn answer(session: &mut Session, answer: &Answer) -> String {
     }
 }
 
+/// A value, and below it what else there is to see in its format.
+fn value_text(session: &Session, name: &Name) -> String {
+    let before = " ".repeat(name.text().chars().count() + 3);
+    let details = names::details(name, session.cpu());
+    let details: String = details.iter().map(|line| format!("  {before}{line}\n")).collect();
+    format!("  {} = {}\n{details}", name.text(), session.value(name))
+}
+
 /// The variables of a block, in columns.
 fn locals_text(session: &Session, locals: Option<&(BlockId, Vec<LocalValue>)>) -> String {
     let Some((block, values)) = locals else { return format!("  {}\n", session.say(texts::NO_BLOCK_RUNS, &[])) };
@@ -139,7 +147,7 @@ fn locals_text(session: &Session, locals: Option<&(BlockId, Vec<LocalValue>)>) -
     let names = width(&|one| one.name.text().chars().count());
     let types = width(&|one| one.data_type.to_string().chars().count());
     let line = |one: &LocalValue| {
-        let value = one.value.as_ref().map_or_else(|| "-".to_owned(), ToString::to_string);
+        let value = one.value.as_ref().map_or_else(|| "-".to_owned(), Shown::readable);
         format!("    {:<7} {:names$}  {:types$}  {value}\n", section(one.section), one.name.text(), one.data_type.to_string())
     };
     format!("  {}\n", session.say(texts::VARIABLES_OF, &[block])) + &values.iter().map(line).collect::<String>()

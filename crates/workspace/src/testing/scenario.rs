@@ -193,7 +193,7 @@ impl Test<'_> {
         let others: Vec<&Difference> = judge.differences.iter().skip(1).collect();
         if let Some(difference) = judge.differences.first().filter(|difference| difference.line == first.line) {
             let kind = difference.place.recorded();
-            let show = |sample: &Sample| sample.display(&kind).to_string();
+            let show = |sample: &Sample| sample.readable(&kind);
             wrong.values = Some((show(&difference.expected), show(&difference.actual)));
             let word = word(&kind);
             wrong.types = Some((word.clone(), word));
@@ -254,7 +254,7 @@ impl Test<'_> {
 
 /// The word of a type, for a report.
 fn word(kind: &Kind) -> String {
-    match kind {
+    match kind.plain() {
         Kind::Bit => "BOOL".to_owned(),
         Kind::Bits(8) => "BYTE".to_owned(),
         Kind::Bits(16) => "WORD".to_owned(),
@@ -328,7 +328,7 @@ impl<'a> Again<'a> {
                 [0, 1].into_iter().chain(lanes.iter().map(|&(lane, _)| lane)).map(|lane| values[lane].clone()).collect();
             recorder.put(*at, &chosen).ok()?;
         }
-        let show = |sample: &Sample| sample.display(&kind).to_string();
+        let show = |sample: &Sample| sample.readable(&kind);
         let label = format!("{name} should be {}, is {}", show(&self.difference.expected), show(&self.difference.actual));
         Some((recorder.finish().ok()?, Mark { moment: *moment, label }))
     }

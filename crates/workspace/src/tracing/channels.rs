@@ -21,7 +21,8 @@ const AREAS: [Area; 4] = [Area::Input, Area::PeripheralInput, Area::Output, Area
 pub fn chosen(lists: &[String], build: &Build, cpu: &Cpu) -> Result<Vec<Name>, Refusal> {
     let mut channels = match lists {
         [] => used(build, cpu),
-        lists => names::resolve_lists(lists, &build.project.symbols, cpu)?,
+        // A recording keeps what a timer has left as a time: its count alone says nothing without the base.
+        lists => names::resolve_lists(lists, &build.project.symbols, cpu)?.into_iter().map(Name::readable).collect(),
     };
     let mut seen = std::collections::HashSet::new();
     channels.retain(|name| seen.insert(name.text().to_owned()));

@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use sieben_lang::stl::instructions::Instruction;
 use sieben_lang::stl::operands::OperandClass;
+use sieben_model::format::ROWS;
 
 use super::status_columns;
 
@@ -41,5 +42,17 @@ pub(super) fn jumps() -> String {
     for row in Instruction::ALL.iter().filter(|row| row.operand() == OperandClass::Label) {
         let _ = writeln!(out, "{:<7} {:<7} {:<33} {}", row.english(), row.german(), status_columns(row.status_row()), row.doc());
     }
+    out
+}
+
+/// Every format that a value can be shown in.
+pub(super) fn formats() -> String {
+    let mut out = String::from("A format follows a name after a colon: `--show MD20:REAL,MW24:INT,MB3:BIN`.\n\n");
+    for row in ROWS {
+        let names = [row.name].into_iter().chain(row.also.iter().copied()).collect::<Vec<_>>().join(", ");
+        let fits = row.fits.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
+        out.push_str(&format!("  {names:<18} {:<34} of {fits}\n", row.notation));
+    }
+    out.push_str("\nOf a register a format of 16 bits shows the low word. Bits that a format does not know are shown in hex with a mark: `W#16#0A00 (no S5TIME)`.\n");
     out
 }
