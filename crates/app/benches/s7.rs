@@ -41,11 +41,14 @@ const SCANS: [&str; 4] = ["nothing", "eight clients of our server", "eight clien
 const MANY: usize = 64;
 
 /// What is read at a time.
-const WORK: [(&str, fn() -> Vec<Item>); 3] = [
-    ("4 bytes", || vec![Item { area: 0x83, db: 0, byte: 0, length: 4 }]),
-    ("200 bytes", || vec![Item { area: 0x84, db: 1, byte: 100, length: 200 }]),
-    ("19 items", || (0..19).map(|index| Item { area: 0x84, db: 1, byte: index * 40, length: 4 }).collect()),
-];
+fn work() -> [(&'static str, Vec<Item>); 3] {
+    let items = (0..19).map(|index| Item { area: 0x84, db: 1, byte: index * 40, length: 4 }).collect();
+    [
+        ("4 bytes", vec![Item { area: 0x83, db: 0, byte: 0, length: 4 }]),
+        ("200 bytes", vec![Item { area: 0x84, db: 1, byte: 100, length: 200 }]),
+        ("19 items", items),
+    ]
+}
 
 /// Notes the CPU time of scans.
 struct Around<'a> {
@@ -71,7 +74,7 @@ impl Native {
     fn start() -> Option<Self> {
         let project = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
         let free = TcpListener::bind((Ipv4Addr::LOCALHOST, 0)).and_then(|listener| listener.local_addr()).ok()?;
-        let mut child = Command::new(project.join("target/clients/snap7/bin/python"))
+        let mut child = Command::new(project.join("target/clients/native-snap7/bin/python"))
             .arg(project.join("crates/app/benches/s7/native_server.py"))
             .arg(free.port().to_string())
             .stdout(Stdio::piped())
@@ -138,24 +141,25 @@ fn socket_from(address: Ipv4Addr, to: SocketAddr) -> TcpStream {
 
 /// Asks both servers by turns until the time is over, and prints what each cell gave.
 fn measure(ours: SocketAddr, native: Option<&Native>, seconds: u64, kind: &AtomicUsize) {
+    let work = work();
     let servers: Vec<(&str, SocketAddr)> = std::iter::once(("ours", ours)).chain(native.map(|native| ("native", native.1))).collect();
     let mut clients: Vec<Vec<Client>> = servers.iter().map(|(_, address)| (0..8).map(|_| Client::connect(*address)).collect()).collect();
-    let mut cells: Vec<Vec<Cell>> = servers.iter().map(|_| (0..2 * WORK.len()).map(|_| Cell::default()).collect()).collect();
+    let mut cells: Vec<Vec<Cell>> = servers.iter().map(|_| (0..2 * work.len()).map(|_| Cell::default()).collect()).collect();
     let end = Instant::now() + Duration::from_secs(seconds);
     while Instant::now() < end {
-        for cell in 0..2 * WORK.len() {
-            let (items, many) = (WORK[cell / 2].1(), if cell % 2 == 0 { 1 } else { 8 });
+        for cell in 0..2 * work.len() {
+            let (items, many) = (&work[cell / 2].1, if cell % 2 == 0 { 1 } else { 8 });
             for (server, clients) in clients.iter_mut().enumerate() {
                 kind.store(if many == 1 { 3 } else { 1 + server }, Ordering::Relaxed);
-                cells[server][cell].turn(&mut clients[..many], &items);
+                cells[server][cell].turn(&mut clients[..many], items);
             }
             kind.store(0, Ordering::Relaxed);
             std::thread::sleep(TURN);
         }
     }
     let (mut product, mut worst) = (1.0, f64::INFINITY);
-    for cell in 0..2 * WORK.len() {
-        let name = format!("{}, {}", WORK[cell / 2].0, if cell % 2 == 0 { "1 client" } else { "8 clients" });
+    for cell in 0..2 * work.len() {
+        let name = format!("{}, {}", work[cell / 2].0, if cell % 2 == 0 { "1 client" } else { "8 clients" });
         for ((server, _), cells) in servers.iter().zip(&mut cells) {
             println!("{name:22} {server:7} {}", cells[cell].text());
         }
@@ -168,18 +172,23 @@ fn measure(ours: SocketAddr, native: Option<&Native>, seconds: u64, kind: &Atomi
     }
     match native {
         Some(_) => {
-            println!("geometric mean of the ratios {:.2}, the smallest {worst:.2}", f64::powf(product, 1.0 / (2.0 * WORK.len() as f64)))
+            println!("geometric mean of the ratios {:.2}, the smallest {worst:.2}", f64::powf(product, 1.0 / (2.0 * work.len() as f64)))
         }
         None => println!("the native server is not installed: `cargo xtask clients`"),
     }
-    drop(clients);
-    std::thread::sleep(TURN);
-    let before = resident();
-    let address = |index: usize| if index % 2 == 0 { Ipv4Addr::LOCALHOST } else { Ipv4Addr::new(127, 0, 0, 2) };
+}
+
+/// Connections at once, each of which reads the largest job.
+fn measure_memory(ours: SocketAddr) {
+    let [_, _, (_, items)] = work();
+    let (before, job) = (resident(), job(&items));
+    let address = |index: usize| if index.is_multiple_of(2) { Ipv4Addr::LOCALHOST } else { Ipv4Addr::new(127, 0, 0, 2) };
     let mut many: Vec<Client> = (0..MANY).map(|index| Client::new(socket_from(address(index), ours))).collect();
-    let (items, job) = (WORK[2].1(), job(&WORK[2].1()));
     many.iter_mut().for_each(|client| client.read(&job, &items));
-    println!("{MANY} connections: {:.2} MiB more", (resident() - before) / 1_024.0);
+    println!("{MANY} connections: {:.2} MiB more, their clients included", (resident() - before) / 1_024.0);
+    drop(many);
+    // Their places are free again for those who come next.
+    std::thread::sleep(TURN);
 }
 
 fn main() {
@@ -202,6 +211,7 @@ fn main() {
     println!("cycle {} ms, {seconds} s", CYCLE_US / 1_000);
     std::thread::scope(|scope| {
         scope.spawn(|| {
+            measure_memory(server.address());
             measure(server.address(), native.as_ref(), seconds, &kind);
             over.store(true, Ordering::Relaxed);
             gate.wake();

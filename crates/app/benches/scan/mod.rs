@@ -91,7 +91,7 @@ impl ScanTimes {
     pub(crate) fn lines(&mut self, names: &[&str]) -> String {
         let mut lines = String::new();
         let mut alone = None;
-        for (name, us) in names.iter().zip(&mut self.us) {
+        for (name, us) in names.iter().zip(&mut self.us).filter(|(_, us)| !us.is_empty()) {
             us.sort_by(f64::total_cmp);
             let (mean, median) = (us.iter().sum::<f64>() / us.len().max(1) as f64, at(us, 0.5));
             let (alone_mean, alone_median) = *alone.get_or_insert((mean, median));
