@@ -133,6 +133,8 @@ impl ServerArguments {
     pub(crate) fn start_metrics(&self, gate: &Arc<Gate>, servers: Option<&Servers>) -> Result<Option<Metrics>, Failure> {
         let Some(wanted) = self.metrics.or(self.exposed(Kind::Metrics)) else { return Ok(None) };
         self.check(Kind::Metrics, wanted)?;
+        // A run that is over already has nothing to measure.
+        let _ = gate.enter(|plant| plant.cpu.measure_blocks());
         let (gate, viewer) = (Arc::clone(gate), servers.map(|servers| servers.s7.viewer()));
         let text = move || {
             let served: Vec<Served> = viewer.iter().map(|viewer| served(viewer.view())).collect();

@@ -617,9 +617,10 @@ fn prometheus_finds_the_numbers() {
         stream.read_to_string(&mut answer).expect("UTF-8");
         answer
     };
-    let numbers = until("the request was counted", || {
+    let numbers = until("the request and a scan were counted", || {
         let answer = get("/metrics");
-        answer.contains("sieben_server_requests_total{protocol=\"s7\",function=\"read\"} 1\n").then_some(answer)
+        let request = answer.contains("sieben_server_requests_total{protocol=\"s7\",function=\"read\"} 1\n");
+        (request && answer.contains("sieben_organization_block_seconds_bucket{block=\"OB 1\",le=\"+Inf\"} ")).then_some(answer)
     });
     assert!(numbers.starts_with("HTTP/1.1 200 OK\r\n"));
     assert!(numbers.contains("sieben_mode{mode=\"run\"} 1\n") && numbers.contains("sieben_server_connections{protocol=\"s7\"} 1\n"));

@@ -1,8 +1,18 @@
-//! The CPU's time of day and its clock memory byte.
+//! The CPU's time of day, where its time comes from, and its clock memory byte.
 
 use std::fmt;
 
 use sieben_model::literal;
+
+/// Where time comes from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum TimeSource {
+    /// The clock stands still inside a scan and the watchdog counts safe points: every run is the same.
+    #[default]
+    Virtual,
+    /// The clock is asked inside a scan too, for the watchdog, for timers and for times of day.
+    Real,
+}
 
 /// A point in time as the CPU keeps it: milliseconds since 1990-01-01 00:00.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -6,7 +6,7 @@ use sieben_engine::machine::Frame;
 use sieben_engine::{Engine, Machine, Program};
 use sieben_model::cpu_type::CpuType;
 
-use crate::clock::DateAndTime;
+use crate::clock::{DateAndTime, TimeSource};
 use crate::communication::Communication;
 use crate::diagnostic_buffer::{DiagnosticBuffer, DiagnosticEntry};
 use crate::failed_statements::FailedStatements;
@@ -15,7 +15,6 @@ use crate::interrupts::{Interrupts, Now};
 use crate::io::Rack;
 use crate::organization_blocks as ob;
 use crate::process_image::Images;
-use crate::settings::TimeSource;
 use crate::start_information::StartInformation;
 use crate::system_state::State;
 

@@ -10,6 +10,7 @@ mod data_block_change;
 mod data_block_replacement;
 mod diagnostic_events;
 mod failed_statements;
+pub mod histogram;
 mod host;
 mod loaded_blocks;
 mod reactions;
@@ -37,7 +38,7 @@ pub mod station;
 pub mod system;
 pub mod system_status_list;
 
-pub use clock::{ClockRefused, DateAndTime};
+pub use clock::{ClockRefused, DateAndTime, TimeSource};
 pub use communication::{Communication, ProtectionLevel, Requester};
 pub use cpu::{
     ChangeRefused, Cpu, DataLoss, EndState, Loaded, NotReplayed, RecordedScan, Replayer, ScanReport, Snapshot, StopRequest, TestStep,
@@ -48,6 +49,7 @@ pub use data_block_replacement::ReplaceRefused;
 pub use diagnostic_buffer::{DiagnosticBuffer, DiagnosticEntry};
 pub use failed_statements::{FailedStatement, FailedStatements};
 pub use forcing::{Forced, Forces};
+pub use histogram::Histogram;
 pub use host::BUDGET_MAX;
 pub use interrupts::{Coming, CyclicInterrupt, Interrupt};
 pub use io::{IoModule, Rack, RackError, SimulatedModule};
@@ -56,7 +58,7 @@ pub use loaded_blocks::BlockView;
 pub use mode::{NotInStop, OperatingMode, Restart, StartRefused, StopCause};
 pub use online_change::OnlineChange;
 pub use retain::{RetainImage, RetentiveAreas};
-pub use settings::{ImageErrors, Settings, TimeSource};
+pub use settings::{ImageErrors, Settings};
 pub use station::{AccessError, Station, TimerReading};
 pub use system_state::Asked;
 pub use system_status_list::{NoList, PartialList};

@@ -220,7 +220,7 @@ impl CpuHost<'_> {
         }
         let class = self.class(machine);
         let Some(Request { info, raised_us }) = self.interrupts.take(class.rank()) else { return Reaction::Continue };
-        self.interrupts.run_times.begin(u16::from(info.block), machine.frames.len(), raised_us, self.time.now_us);
+        self.interrupts.run_times.begin(u16::from(info.block), machine.frames.len(), raised_us, (self.time.now_us, self.time.source));
         self.system.interrupt(machine, info);
         Reaction::Enter { block: BlockId::ob(u16::from(info.block)), start_information: info.bytes(self.date_and_time()) }
     }

@@ -3,19 +3,9 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
-use crate::clock::DateAndTime;
+use crate::clock::{DateAndTime, TimeSource};
 use crate::interrupts::CyclicInterrupt;
 use crate::retain::RetentiveAreas;
-
-/// Where time comes from.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum TimeSource {
-    /// The clock stands still inside a scan and the watchdog counts safe points: every run is the same.
-    #[default]
-    Virtual,
-    /// The clock is asked inside a scan too, for the watchdog, for timers and for times of day.
-    Real,
-}
 
 /// What the CPU does when a module does not answer while the process image is exchanged.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -2,7 +2,8 @@
 
 use std::fmt::{Display, Write as _};
 
-use sieben_cpu::OperatingMode;
+use sieben_cpu::{Histogram, OperatingMode};
+use sieben_model::block::BlockId;
 
 use crate::gate::{Closed, Gate};
 use crate::scan_times::ScanTimes;
@@ -33,6 +34,7 @@ struct OfCpu {
     mode: OperatingMode,
     scans: u64,
     times: ScanTimes,
+    blocks: Vec<(BlockId, Histogram)>,
     cycle: [u64; 3],
     forced: u64,
     events: u64,
@@ -53,6 +55,7 @@ pub fn text(gate: &Gate, servers: &[Served]) -> Result<String, Closed> {
             mode: plant.cpu.mode(),
             scans: plant.scans,
             times: plant.scan_times.clone(),
+            blocks: plant.cpu.block_times().map(|(block, times)| (block, times.clone())).collect(),
             cycle: [cycle.last, cycle.min, cycle.max],
             forced: plant.cpu.forced().bytes().map(|(_, _, mask, _)| u64::from(mask.count_ones())).sum(),
             events: plant.cpu.diagnostic_buffer().newest_number(),
@@ -71,13 +74,15 @@ fn of_cpu(out: &mut String, cpu: &OfCpu) {
     }
     counter(out, "sieben_scans_total", "Scans since the beginning of the run.", cpu.scans);
     head(out, "sieben_scan_seconds", "histogram", "How long scans took, without the pauses between them.");
-    for (end_us, count) in cpu.times.up_to() {
-        sample(out, "sieben_scan_seconds_bucket", &[("le", &seconds(end_us))], count);
-    }
-    sample(out, "sieben_scan_seconds_bucket", &[("le", "+Inf")], cpu.times.count);
-    sample(out, "sieben_scan_seconds_sum", &[], seconds(cpu.times.sum_us));
-    sample(out, "sieben_scan_seconds_count", &[], cpu.times.count);
+    histogram(out, "sieben_scan_seconds", None, &cpu.times.times);
     counter(out, "sieben_scan_overruns_total", "Scans that took longer than their cycle.", cpu.times.overruns);
+    if !cpu.blocks.is_empty() {
+        let name = "sieben_organization_block_seconds";
+        head(out, name, "histogram", "How long organization blocks ran, interruptions included.");
+        for (block, times) in &cpu.blocks {
+            histogram(out, name, Some(("block", &block.to_string())), times);
+        }
+    }
     head(out, "sieben_cycle_seconds", "gauge", "Time from one scan to the next: the last, the shortest, the longest since the start.");
     for (word, us) in ["last", "min", "max"].into_iter().zip(cpu.cycle) {
         sample(out, "sieben_cycle_seconds", &[("which", word)], seconds(us));
@@ -115,6 +120,18 @@ fn of_servers(out: &mut String, servers: &[Served]) {
     }
 }
 
+/// All samples of a histogram.
+fn histogram(out: &mut String, name: &str, label: Option<(&str, &str)>, times: &Histogram) {
+    let labels: Vec<(&str, &str)> = label.into_iter().collect();
+    let ends = times.up_to().map(|(end_us, count)| (seconds(end_us), count)).chain([("+Inf".to_owned(), times.count)]);
+    for (end, count) in ends {
+        let labels: Vec<(&str, &str)> = labels.iter().copied().chain([("le", end.as_str())]).collect();
+        sample(out, &format!("{name}_bucket"), &labels, count);
+    }
+    sample(out, &format!("{name}_sum"), &labels, seconds(times.sum_us));
+    sample(out, &format!("{name}_count"), &labels, times.count);
+}
+
 fn counter(out: &mut String, name: &str, help: &str, value: u64) {
     head(out, name, "counter", help);
     sample(out, name, &[], value);
@@ -144,7 +161,8 @@ mod tests {
     fn every_sample_has_its_head_and_every_number_is_one() {
         let mut times = ScanTimes::default();
         times.add(150, 10_000);
-        let cpu = OfCpu { mode: OperatingMode::Run, scans: 7, times, cycle: [10_000, 9_000, 12_500], forced: 3, events: 5 };
+        let blocks = vec![(BlockId::ob(35), times.times.clone())];
+        let cpu = OfCpu { mode: OperatingMode::Run, scans: 7, times, blocks, cycle: [10_000, 9_000, 12_500], forced: 3, events: 5 };
         let served = Served { protocol: "s7", connected: 2, requests: vec![("read", 9), ("write", 0)], ..Served::default() };
         let mut out = String::new();
         of_cpu(&mut out, &cpu);
@@ -156,6 +174,8 @@ mod tests {
             "sieben_scan_seconds_bucket{le=\"0.0002\"} 1",
             "sieben_scan_seconds_bucket{le=\"+Inf\"} 1",
             "sieben_scan_seconds_sum 0.00015",
+            "sieben_organization_block_seconds_bucket{block=\"OB 35\",le=\"0.0002\"} 1",
+            "sieben_organization_block_seconds_count{block=\"OB 35\"} 1",
             "sieben_cycle_seconds{which=\"max\"} 0.0125",
             "sieben_server_requests_total{protocol=\"s7\",function=\"read\"} 9",
         ] {

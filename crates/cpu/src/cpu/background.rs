@@ -9,10 +9,10 @@ use super::Cpu;
 use super::interrupting::again;
 use super::run::{Go, Outcome, Rest};
 use super::stop::Held;
+use crate::clock::TimeSource;
 use crate::host::Slice;
 use crate::mode::OperatingMode;
 use crate::organization_blocks as ob;
-use crate::settings::TimeSource;
 use crate::start_information::StartInformation;
 
 /// Safe points that OB 90 gets in one pause in virtual time, where no clock tells how long the pause is.

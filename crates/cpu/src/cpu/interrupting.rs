@@ -11,13 +11,14 @@ use super::Cpu;
 use super::pause::{Inner, Paused, Then};
 use super::run::{Go, Outcome};
 use super::stop::Held;
-use crate::clock::DateAndTime;
+use crate::clock::{DateAndTime, TimeSource};
 use crate::diagnostic_buffer::DiagnosticEntry;
+use crate::histogram::Histogram;
 use crate::host::Watchdog;
 use crate::interrupts::{CyclicInterrupt, Interrupt, Now, Request};
 use crate::mode::OperatingMode;
 use crate::organization_blocks as ob;
-use crate::settings::{ImageErrors, TimeSource};
+use crate::settings::ImageErrors;
 
 impl Cpu {
     /// An interrupt or asynchronous error happens. Its organization block runs at the next safe point, or before the next scan;
@@ -52,6 +53,16 @@ impl Cpu {
     /// Sets where time comes from, from the next scan on.
     pub fn set_time_source(&mut self, source: TimeSource) {
         self.settings.time = source;
+    }
+
+    /// From now on all runs of organization blocks in real time are measured, for [`Self::block_times`]; it costs a look at the clock for each.
+    pub fn measure_blocks(&mut self) {
+        self.interrupts.run_times.measure();
+    }
+
+    /// How long the runs of each organization block took, interruptions included; one that has not run is not there.
+    pub fn block_times(&self) -> impl Iterator<Item = (BlockId, &Histogram)> {
+        self.interrupts.run_times.measured().map(|(number, times)| (BlockId::ob(number), times))
     }
 
     /// Sets the least cycle time.

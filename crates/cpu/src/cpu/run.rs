@@ -5,6 +5,7 @@ use sieben_engine::{Context, Entry, Exit, StopReason, Tracer};
 use sieben_model::block::BlockId;
 
 use super::Cpu;
+use crate::clock::TimeSource;
 use crate::diagnostic_buffer::DiagnosticEntry;
 use crate::host::{CpuHost, Time};
 use crate::organization_blocks as ob;
@@ -81,7 +82,7 @@ impl Cpu {
             if let Go::Enter(entry) = &go {
                 host.system.begin(host.class);
                 let requested_us = self.requested_us.take().unwrap_or(self.now_us);
-                host.interrupts.run_times.begin(entry.block.number, 0, requested_us, self.now_us);
+                host.interrupts.run_times.begin(entry.block.number, 0, requested_us, (self.now_us, source));
                 self.machine.frames.clear();
                 self.machine.parameters.clear();
             }
@@ -107,7 +108,12 @@ impl Cpu {
                 return Outcome::Paused(Rest { saved, first: stop, clock_set });
             }
             self.watchdog.settle(&self.machine);
-            self.interrupts.run_times.end(self.machine.frames.len(), self.now_us);
+            let ended_us = match source {
+                // The last safe point may be long ago.
+                TimeSource::Real if self.interrupts.run_times.is_measured() => clock().max(self.now_us),
+                TimeSource::Real | TimeSource::Virtual => self.now_us,
+            };
+            self.interrupts.run_times.end(self.machine.frames.len(), ended_us);
             if let (Exit::Stopped(_), Some(info)) = (&exit, abort) {
                 if self.leave_class() {
                     self.interrupts.abort(info, self.now_us);

@@ -11,13 +11,13 @@ use super::interrupting::again;
 use super::pause::{Inner, Then};
 use super::run::{Go, Outcome};
 use super::stop::Held;
+use crate::clock::TimeSource;
 use crate::clock::clock_memory;
 use crate::host::Slice;
 use crate::interrupts::Again;
 use crate::mode::OperatingMode;
 use crate::organization_blocks as ob;
 use crate::process_image;
-use crate::settings::TimeSource;
 use crate::start_information::StartInformation;
 
 /// What a scan did.

@@ -1,6 +1,9 @@
-//! How long organization blocks run: what SFC 78 tells.
+//! How long organization blocks run: what SFC 78 tells, and all runs in classes for those outside.
 
 use std::collections::BTreeMap;
+
+use crate::clock::TimeSource;
+use crate::histogram::Histogram;
 
 /// The last complete run of a block, in microseconds.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -21,6 +24,8 @@ pub(crate) struct Running {
     pub(crate) requested_us: u64,
     /// When it started.
     pub(crate) started_us: u64,
+    /// Whether time passes while it runs.
+    time: TimeSource,
 }
 
 /// Run times of all organization blocks.
@@ -28,14 +33,16 @@ pub(crate) struct Running {
 pub(crate) struct RunTimes {
     last: BTreeMap<u16, LastRun>,
     running: Vec<Running>,
+    /// All runs in real time, if that is wanted.
+    measured: Option<BTreeMap<u16, Histogram>>,
 }
 
 impl RunTimes {
     /// OB `number` starts on top of `depth` blocks.
     #[inline]
-    pub(crate) fn begin(&mut self, number: u16, depth: usize, requested_us: u64, now_us: u64) {
+    pub(crate) fn begin(&mut self, number: u16, depth: usize, requested_us: u64, (now_us, time): (u64, TimeSource)) {
         self.end(depth, now_us);
-        self.running.push(Running { number, depth, requested_us, started_us: now_us });
+        self.running.push(Running { number, depth, requested_us, started_us: now_us, time });
     }
 
     /// Only `depth` blocks are left.
@@ -47,7 +54,27 @@ impl RunTimes {
                 Some(last) => *last = run,
                 None => drop(self.last.insert(ended.number, run)),
             }
+            if let Some(measured) = &mut self.measured
+                && ended.time == TimeSource::Real
+            {
+                measured.entry(ended.number).or_default().add(run.run_us);
+            }
         }
+    }
+
+    /// From now on all runs in real time are counted.
+    pub(crate) fn measure(&mut self) {
+        self.measured.get_or_insert_default();
+    }
+
+    /// Whether they are.
+    pub(crate) fn is_measured(&self) -> bool {
+        self.measured.is_some()
+    }
+
+    /// All runs that were counted, by the number of the block.
+    pub(crate) fn measured(&self) -> impl Iterator<Item = (u16, &Histogram)> {
+        self.measured.iter().flatten().map(|(&number, times)| (number, times))
     }
 
     /// The innermost block that runs.

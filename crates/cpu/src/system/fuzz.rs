@@ -8,7 +8,7 @@ use sieben_model::cpu_type::CpuType;
 use sieben_model::program::DataBlock;
 
 use super::*;
-use crate::clock::DateAndTime;
+use crate::clock::{DateAndTime, TimeSource};
 use crate::communication::Communication;
 use crate::diagnostic_buffer::DiagnosticBuffer;
 use crate::failed_statements::FailedStatements;
@@ -17,7 +17,6 @@ use crate::host::{Requests, Time, Watchdog};
 use crate::interrupts::Interrupts;
 use crate::io::Rack;
 use crate::process_image::Images;
-use crate::settings::TimeSource;
 use crate::start_information::StartInformation;
 use crate::system_state::State;
 
