@@ -13,7 +13,7 @@ use rustix::io::Errno;
 use serde_json::{Value, json};
 use sieben_comm::config::{Config, LISTEN};
 use sieben_comm::metrics::Metrics;
-use sieben_comm::recording::audit::Audit;
+use sieben_comm::recording::audit::{Audit, ControlLog};
 use sieben_comm::recording::frames::Frames;
 use sieben_comm::recording::{Recorders, Sink};
 use sieben_comm::s7comm::answer::Linker;
@@ -25,7 +25,7 @@ use sieben_cpu::{Communication, ProtectionLevel};
 use sieben_model::cpu_type::CpuType;
 use sieben_model::problems::Problem;
 use sieben_workspace::Gate;
-use sieben_workspace::control::{Client, Clients};
+use sieben_workspace::control::{Client, Clients, CurrentFacts};
 use sieben_workspace::metrics::{self, Served};
 use sieben_workspace::project::Project;
 use sieben_workspace::settings::servers::address;
@@ -186,6 +186,8 @@ pub(crate) enum Always {
 /// The servers of a run.
 pub(crate) struct Servers {
     s7: Server,
+    /// Where what is done at the control socket is noted.
+    control_log: Option<ControlLog>,
     protection: ProtectionLevel,
     has_password: bool,
     is_exposed: bool,
@@ -249,13 +251,14 @@ impl Prepared {
     pub(crate) fn start(self, cpu: &'static CpuType, gate: &Arc<Gate>, engine: EngineArgument) -> Result<Servers, Failure> {
         let Self { listener, config, recorders, names } = self;
         let (protection, has_password, listen) = (config.protection, config.password.is_some(), config.listen);
+        let control_log = recorders.audit.as_ref().map(Audit::of_control);
         let mut shared = Shared::default();
         // Without the thread data blocks get other values and nothing else.
         shared.around.linker = Preparing::start(engine).ok().map(|preparing| Arc::new(preparing) as Arc<dyn Linker>);
         let setup = Setup { config, shared, names, recorders, clock: Box::new(wall_us) };
         let s7 = Server::start(listener, cpu, Arc::clone(gate), setup).map_err(|error| not_listening(listen, &error))?;
         let is_exposed = !s7.address().ip().to_canonical().is_loopback();
-        Ok(Servers { s7, protection, has_password, is_exposed })
+        Ok(Servers { s7, control_log, protection, has_password, is_exposed })
     }
 }
 
@@ -303,8 +306,15 @@ impl Servers {
         format!("S7 clients are served at {}, {level}.{exposed}\n", self.s7.address())
     }
 
-    /// Their clients, for those who look at the run.
-    pub(crate) fn clients(&self, gate: &Arc<Gate>) -> Clients {
+    /// Those who look at the run see the clients of these servers, and what they change is in the same log.
+    pub(crate) fn introduce(&self, facts: &CurrentFacts, gate: &Arc<Gate>) {
+        facts.set_clients(self.clients(gate));
+        if let Some(log) = self.control_log.clone() {
+            facts.set_listener(Box::new(move |changes| log.note(changes, wall_us())));
+        }
+    }
+
+    fn clients(&self, gate: &Arc<Gate>) -> Clients {
         let (viewer, gate) = (self.s7.viewer(), Arc::clone(gate));
         Box::new(move || {
             let now_us = gate.now_us();

@@ -6,6 +6,7 @@ mod command;
 use std::fs;
 use std::io::{BufRead, BufReader, ErrorKind, Read, Write};
 use std::net::{Ipv4Addr, SocketAddr, SocketAddrV4, TcpListener, TcpStream};
+use std::os::unix::net::UnixStream;
 use std::process::{Child, ChildStdout, Command, Stdio};
 use std::time::{Duration, Instant};
 
@@ -527,6 +528,38 @@ fn what_was_done_and_what_was_sent_is_written_down() {
     assert_eq!(frames[..4], [0x0A, 0x0D, 0x0D, 0x0A]);
     let sent = job(3, &read_request(DATA, 9, 0, 1), &[]);
     assert!(frames.windows(8).any(|bytes| bytes == &sent[19..27]), "the request is in the recording");
+}
+
+#[test]
+fn what_is_done_at_the_control_socket_is_in_the_audit_log_too() {
+    let folder = project("[servers.s7]\naudit = \"audit.jsonl\"\n");
+    let running = Running::of(&folder, &[]);
+    let socket = folder.path().join(".sieben/control.sock");
+    let mut stream = until("the run answers", || UnixStream::connect(&socket).ok());
+    let mut answers = BufReader::new(stream.try_clone().expect("a handle"));
+    for request in [
+        r#"{"verb":"write","values":{"MW100":"5"}}"#,
+        r#"{"verb":"write","values":{"DB9.DBW0":"5"}}"#,
+        r#"{"verb":"force","values":{"Q4.0":"1"}}"#,
+        r#"{"verb":"read","items":["MW100"]}"#,
+        r#"{"verb":"mode","mode":"stop"}"#,
+    ] {
+        stream.write_all(format!("{request}\n").as_bytes()).expect("the run reads");
+        assert!(answers.read_line(&mut String::new()).expect("UTF-8") > 0);
+    }
+    assert_eq!(running.end().0, Some(0));
+    let log = String::from_utf8(folder.read("audit.jsonl")).expect("UTF-8");
+    let record = |line: &str| {
+        let record: Value = serde_json::from_str(line).expect("JSON");
+        let text = |key: &str| record[key].as_str().unwrap_or("-").to_owned();
+        ["peer", "what", "object", "value", "result"].map(text).join(" ")
+    };
+    let refused = log.lines().map(record).find(|record| record.contains("DB9")).expect("a refusal is noted");
+    assert_eq!(
+        log.lines().map(record).collect::<Vec<_>>(),
+        ["control socket write MW100 5 ok", refused.as_str(), "control socket force Q4.0 1 ok", "control socket stop - - ok"]
+    );
+    assert!(refused.starts_with("control socket write DB9.DBW0 5 P"), "{refused}");
 }
 
 #[test]

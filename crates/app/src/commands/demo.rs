@@ -63,7 +63,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let start = |prepared: Prepared| prepared.start(session.cpu_type, &session.gate, EngineArgument::Auto);
     let mut servers = prepared.map(start).transpose()?;
     if let Some(servers) = &servers {
-        session.facts.set_clients(servers.clients(&session.gate));
+        servers.introduce(&session.facts, &session.gate);
         match has_screen {
             // The run has just begun, and nothing else closes the gate.
             true => drop(session.note(servers.text().trim_end())),

@@ -194,7 +194,7 @@ pub(crate) fn run_as(verb: Verb, mut arguments: RunArguments) -> Result<Exit, Fa
     }
     let mut servers = prepared.map(|prepared| prepared.start(build.cpu, &gate, arguments.engine)).transpose()?;
     if let Some(servers) = &servers {
-        facts.set_clients(servers.clients(&gate));
+        servers.introduce(&facts, &gate);
         match arguments.json {
             false => output::message(&servers.text()),
             // A program that waits for the server reads this line.

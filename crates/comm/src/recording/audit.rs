@@ -5,9 +5,10 @@ use std::net::SocketAddr;
 
 use serde_json::{Map, Value, json};
 use sieben_cpu::{DateAndTime, Restart};
+use sieben_workspace::control;
 use sieben_workspace::settings::servers::Writes;
 
-use super::{Recorder, Sink};
+use super::{Recorder, Sink, Way};
 use crate::s7comm::job::{BlockName, TransportSize, Variable, VariableArea};
 use crate::s7comm::session::{Event, What};
 
@@ -17,6 +18,8 @@ const MERGED_US: u64 = 1_000_000;
 const MERGED_MAX: usize = 1_024;
 /// Bytes of a written value that are noted.
 const VALUE_BYTES_MAX: usize = 512;
+/// The peer of what comes over the control socket.
+const CONTROL: &str = "control socket";
 /// From 1970 to 1990, in milliseconds.
 const FROM_1970_TO_1990_MS: u64 = (20 * 365 + 5) * 86_400_000;
 
@@ -81,20 +84,25 @@ impl Audit {
         Ok(Self { recorder: Recorder::start("s7 audit", sink, lost)?, writes, required, merged: BTreeMap::new() })
     }
 
+    /// A way for what is done at the control socket.
+    pub fn of_control(&self) -> ControlLog {
+        ControlLog(self.recorder.way())
+    }
+
     /// Notes what happened to a connection.
     pub fn connection(&mut self, peer: SocketAddr, change: Change, at: At) {
         if change == Change::Closed {
             let of_peer: Vec<Key> = self.merged.keys().filter(|(other, _)| *other == peer).cloned().collect();
             of_peer.iter().for_each(|key| self.end_merging(key));
         }
-        let mut record = head(peer, at);
+        let mut record = head(&peer.to_string(), at.wall_us);
         record.insert("what".to_owned(), change.word().into());
         self.recorder.put(line(record));
     }
 
     /// Notes an event of a session.
     pub fn event(&mut self, event: &Event, at: At) {
-        let mut record = head(event.peer, at);
+        let mut record = head(&event.peer.to_string(), at.wall_us);
         if let Some(scan) = event.scan {
             record.insert("scan".to_owned(), scan.into());
         }
@@ -154,6 +162,32 @@ impl Audit {
     }
 }
 
+/// Notes what is done at the control socket, as long as the audit log is open.
+#[derive(Clone)]
+pub struct ControlLog(Way);
+
+impl ControlLog {
+    /// Notes changes. The time is in microseconds since 1970.
+    pub fn note(&self, changes: &[control::changes::Change], wall_us: u64) {
+        for change in changes {
+            let mut record = head(CONTROL, wall_us);
+            let mut put = |key: &str, value: Value| drop(record.insert(key.to_owned(), value));
+            if let Some(scan) = change.scan {
+                put("scan", scan.into());
+            }
+            put("what", change.what.into());
+            if let Some(object) = &change.object {
+                put("object", object.as_str().into());
+            }
+            if let Some(value) = &change.value {
+                put("value", value.as_str().into());
+            }
+            put("result", change.refused.unwrap_or("ok").into());
+            self.0.put(line(record));
+        }
+    }
+}
+
 impl Drop for Audit {
     fn drop(&mut self) {
         let keys: Vec<Key> = self.merged.keys().cloned().collect();
@@ -162,11 +196,11 @@ impl Drop for Audit {
 }
 
 /// What each record begins with.
-fn head(peer: SocketAddr, at: At) -> Map<String, Value> {
-    let time = DateAndTime::from_ms_since_1990((at.wall_us / 1_000).saturating_sub(FROM_1970_TO_1990_MS));
+fn head(peer: &str, wall_us: u64) -> Map<String, Value> {
+    let time = DateAndTime::from_ms_since_1990((wall_us / 1_000).saturating_sub(FROM_1970_TO_1990_MS));
     let mut record = Map::new();
     record.insert("time".to_owned(), format!("{}Z", time.display().replace(' ', "T")).into());
-    record.insert("peer".to_owned(), peer.to_string().into());
+    record.insert("peer".to_owned(), peer.into());
     record
 }
 
@@ -294,6 +328,26 @@ mod tests {
 
     fn at(gate_us: u64) -> At {
         At { wall_us: 1_764_354_000_123_000 + gate_us, gate_us }
+    }
+
+    #[test]
+    fn what_is_done_at_the_control_socket_has_its_records() {
+        let change = |what, object: Option<&str>, value: Option<&str>, scan, refused| control::changes::Change {
+            what,
+            object: object.map(str::to_owned),
+            value: value.map(str::to_owned),
+            scan,
+            refused,
+        };
+        let lines = noted(Writes::Merged, |audit| {
+            let log = audit.of_control();
+            log.note(&[change("write", Some("MW10"), Some("5"), Some(12), None), change("stop", None, None, None, Some("P7094"))], 0);
+        });
+        let expected = [
+            r#"{"time":"1990-01-01T00:00:00.000Z","peer":"control socket","scan":12,"what":"write","object":"MW10","value":"5","result":"ok"}"#,
+            r#"{"time":"1990-01-01T00:00:00.000Z","peer":"control socket","what":"stop","result":"P7094"}"#,
+        ];
+        assert_eq!(lines, expected);
     }
 
     fn write(address: u32, value: u8, error: u16) -> Event {

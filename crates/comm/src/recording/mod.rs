@@ -4,9 +4,9 @@ pub mod audit;
 pub mod frames;
 
 use std::io::{self, BufWriter, Write};
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, SyncSender, TryRecvError, sync_channel};
+use std::sync::{Arc, Weak};
 use std::thread::JoinHandle;
 
 use audit::Audit;
@@ -31,7 +31,7 @@ pub type Sink = Box<dyn Write + Send>;
 
 /// Writes records in a thread of its own. What there is no room for is lost and counted.
 pub struct Recorder {
-    records: Option<SyncSender<Vec<u8>>>,
+    records: Option<Arc<SyncSender<Vec<u8>>>>,
     state: Arc<State>,
     thread: Option<JoinHandle<()>>,
 }
@@ -44,6 +44,32 @@ struct State {
     lost: AtomicU64,
     /// The last record could not be written.
     fails: AtomicBool,
+}
+
+impl State {
+    fn put(&self, records: Option<&SyncSender<Vec<u8>>>, record: Vec<u8>) {
+        let length = record.len();
+        let waiting = self.waiting.fetch_add(length, Ordering::SeqCst);
+        let sent = waiting <= BYTES_WAITING_MAX && records.is_some_and(|records| records.try_send(record).is_ok());
+        if !sent {
+            self.waiting.fetch_sub(length, Ordering::SeqCst);
+            self.lost.fetch_add(1, Ordering::SeqCst);
+        }
+    }
+}
+
+/// A way to a recorder; it leads nowhere as soon as the recorder ends, and does not keep it.
+#[derive(Clone)]
+pub struct Way {
+    records: Weak<SyncSender<Vec<u8>>>,
+    state: Arc<State>,
+}
+
+impl Way {
+    /// Takes a record; one that there is no room for is lost.
+    pub fn put(&self, record: Vec<u8>) {
+        self.state.put(self.records.upgrade().as_deref(), record);
+    }
 }
 
 /// What stands in the place of lost records.
@@ -59,18 +85,17 @@ impl Recorder {
         let state = Arc::new(State::default());
         let theirs = Arc::clone(&state);
         let thread = std::thread::Builder::new().name(name.to_owned()).spawn(move || write_all(&received, sink, &theirs, lost_record))?;
-        Ok(Self { records: Some(records), state, thread: Some(thread) })
+        Ok(Self { records: Some(Arc::new(records)), state, thread: Some(thread) })
     }
 
     /// Takes a record; one that there is no room for is lost.
     pub fn put(&self, record: Vec<u8>) {
-        let length = record.len();
-        let waiting = self.state.waiting.fetch_add(length, Ordering::SeqCst);
-        let sent = waiting <= BYTES_WAITING_MAX && self.records.as_ref().is_some_and(|records| records.try_send(record).is_ok());
-        if !sent {
-            self.state.waiting.fetch_sub(length, Ordering::SeqCst);
-            self.state.lost.fetch_add(1, Ordering::SeqCst);
-        }
+        self.state.put(self.records.as_deref(), record);
+    }
+
+    /// Another way to it.
+    pub fn way(&self) -> Way {
+        Way { records: self.records.as_ref().map(Arc::downgrade).unwrap_or_default(), state: Arc::clone(&self.state) }
     }
 
     /// How many records were lost.
@@ -191,6 +216,17 @@ mod tests {
         assert!(recorder.lost() > 85, "{}", recorder.lost());
         assert!(!recorder.has_room());
         go.send(()).expect("the sink waits");
+    }
+
+    #[test]
+    fn another_way_leads_to_the_recorder_as_long_as_it_lives() {
+        let (go, written, recorder) = slow();
+        go.send(()).expect("the sink waits");
+        let way = recorder.way();
+        way.put(b"before\n".to_vec());
+        drop(recorder);
+        way.put(b"after\n".to_vec());
+        assert_eq!(*written.lock().expect("a test"), b"before\n");
     }
 
     struct Full;

@@ -10,6 +10,7 @@ use sieben_model::block::BlockId;
 use sieben_model::source::{FileId, Sources};
 use sieben_model::symbols::SymbolTable;
 
+use super::changes::{Change, Listener};
 use crate::controller;
 use crate::project::Build;
 
@@ -124,6 +125,8 @@ pub struct CurrentFacts {
     connections: AtomicUsize,
     /// Who is connected to servers, if there are any.
     clients: OnceLock<Clients>,
+    /// Hears what requests change, if anything does.
+    listener: OnceLock<Listener>,
 }
 
 /// A client is connected as long as this is there.
@@ -168,6 +171,21 @@ impl CurrentFacts {
     pub fn set_clients(&self, clients: Clients) {
         // The second call has nothing to add.
         let _ = self.clients.set(clients);
+    }
+
+    /// From now on this hears what requests change; what was said first holds.
+    pub fn set_listener(&self, listener: Listener) {
+        // The second call has nothing to add.
+        let _ = self.listener.set(listener);
+    }
+
+    /// Tells what a request has changed.
+    pub(super) fn tell_changes(&self, changes: impl FnOnce() -> Vec<Change>) {
+        let Some(listener) = self.listener.get() else { return };
+        let changes = changes();
+        if !changes.is_empty() {
+            listener(&changes);
+        }
     }
 
     /// The clients of servers.

@@ -3,6 +3,7 @@
 //! Who carries the lines (a socket, a page) is no matter of this module. One [`Control`] serves one client.
 
 pub mod answer;
+pub mod changes;
 pub mod facts;
 pub mod request;
 mod status;
@@ -112,6 +113,12 @@ impl Control {
     /// The request cannot be met; nothing was changed.
     pub fn answer(&mut self, gate: &Gate, desk: &Desk, request: &Request) -> Result<Answer, Refusal> {
         self.refresh();
+        let answer = self.answer_now(gate, desk, request);
+        self.current.tell_changes(|| changes::of(request, &answer));
+        answer
+    }
+
+    fn answer_now(&mut self, gate: &Gate, desk: &Desk, request: &Request) -> Result<Answer, Refusal> {
         match request {
             Request::State => self.state(gate).map(|state| Answer::State(Box::new(state))),
             Request::Read(names) => self.read(gate, names).map(Answer::Values),
