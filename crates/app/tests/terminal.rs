@@ -17,6 +17,8 @@ use rustix::fs::{Mode, OFlags, open};
 use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
 use rustix::termios::{Winsize, tcsetwinsize};
 
+/// How long nothing moves when all that was asked for has been done.
+const STILL: Duration = Duration::from_millis(300);
 /// A program that has not drawn or ended by then never will.
 const DEADLINE: Duration = Duration::from_secs(30);
 
@@ -208,10 +210,18 @@ fn the_demo_shows_what_its_keys_and_others_do() {
     window.shows("paused");
     let scans = |answer: &str| answer.split("\"scans\":").nth(1).and_then(|rest| rest.split(',').next()?.parse::<u64>().ok());
     let state = |folder: &Folder| ask(folder, r#"{"verb":"state"}"#);
-    let before = state(&folder);
-    assert!(before.contains(r#""paused":true"#) && before.contains(r#""mode":"RUN""#), "{before}");
-    window.press("nn");
+    // The start and the scan that a pause ends with are carried out by the thread that scans: they have come when nothing moves any more.
     let until = Instant::now() + DEADLINE;
+    let before = loop {
+        let (first, ()) = (state(&folder), std::thread::sleep(STILL));
+        let second = state(&folder);
+        let stands = second.contains(r#""paused":true"#) && second.contains(r#""mode":"RUN""#) && scans(&first) == scans(&second);
+        if stands {
+            break second;
+        }
+        assert!(Instant::now() < until, "paused in RUN: {second}");
+    };
+    window.press("nn");
     while scans(&state(&folder)) != scans(&before).map(|scans| scans + 2) {
         assert!(Instant::now() < until, "two scans more: {before} {}", state(&folder));
     }
