@@ -2,7 +2,7 @@
 //!
 //! A scan of about 1 ms CPU time in a cycle of 10 ms runs alone, beside one reader at full speed and eight that ask 1,000 times a second, and
 //! while its status is looked at. Eight threads that sleep as often and never come in show what the wake-ups of the computer cost by
-//! themselves. The kinds take turns, a second each, so that other work on the machine meets them alike. A figure is CPU time of the thread
+//! themselves. The kinds alternate, a second each, so that other work on the machine meets them alike. A figure is CPU time of the thread
 //! that scans, with all that the gate makes it do.
 #![allow(clippy::print_stdout)] // A measurement prints its figures.
 
@@ -16,16 +16,16 @@ use sieben_model::address::Area;
 use sieben_model::block::BlockId;
 use sieben_model::item::Item;
 use sieben_workspace::status::Desk;
-use sieben_workspace::{Driver, Gate, Pace, Plant, Speed, Surroundings};
+use sieben_workspace::{Driver, Gate, Pace, Plant, Speed};
 
-use scan::{CYCLE_US, ScanTimes, at, cpu, rounds};
+use scan::{Around, CYCLE_US, ScanTimes, at, cpu, rounds};
 
 /// The allocator of the command line.
 #[global_allocator]
 static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 
 /// How long one kind runs at a time.
-const TURN: Duration = Duration::from_secs(1);
+const SLICE: Duration = Duration::from_secs(1);
 /// Readers that ask 1,000 times a second.
 const READERS: usize = 8;
 
@@ -56,23 +56,6 @@ const KINDS: [Kind; 6] = [
     Kind { name: "the status of a scan is looked at", full_speed: false, eight: Eight::Rest, status: true },
     Kind { name: "one reader, eight, and the status", full_speed: true, eight: Eight::Read, status: true },
 ];
-
-/// Scans and CPU time of each kind; looked at where a scan is about to begin.
-struct Around<'a> {
-    kind: &'a AtomicUsize,
-    over: &'a AtomicBool,
-    times: ScanTimes,
-}
-
-impl Surroundings for Around<'_> {
-    fn at_point(&mut self, plant: &mut Plant) {
-        self.times.at_point(self.kind.load(Ordering::Relaxed), plant.scans);
-    }
-
-    fn is_ended(&self) -> bool {
-        self.over.load(Ordering::Relaxed)
-    }
-}
 
 fn main() {
     let seconds = std::env::args().filter_map(|argument| argument.parse::<u64>().ok()).next_back().unwrap_or(360);
@@ -129,7 +112,7 @@ fn main() {
         scope.spawn(|| {
             for second in 0..(seconds as usize).max(KINDS.len()) {
                 kind.store(second % KINDS.len(), Ordering::Relaxed);
-                std::thread::sleep(TURN);
+                std::thread::sleep(SLICE);
             }
             over.store(true, Ordering::Relaxed);
             gate.wake();

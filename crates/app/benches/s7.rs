@@ -1,7 +1,7 @@
 //! The S7 server beside the native server of Snap7: `cargo bench -p sieben-app --bench s7 [-- SECONDS]`.
 //!
-//! Clients read 4 bytes, 200 bytes and 19 items, one client and eight, each at full speed. Both servers run all the time; they take turns of
-//! half a second, so that other work on the machine meets them alike, while a CPU scans 1 ms in a cycle of 10 ms. The native server is that of
+//! Clients read 4 bytes, 200 bytes and 19 items, one client and eight, each at full speed. Both servers run all the time; they are asked
+//! alternately, half a second each, so that other work on the machine meets them alike, while a CPU scans 1 ms in a cycle of 10 ms. The native server is that of
 //! `cargo xtask clients`; without it only ours is measured.
 #![allow(clippy::print_stdout)] // A measurement prints its figures.
 
@@ -19,7 +19,7 @@ use std::time::{Duration, Instant};
 
 use client::{Client, Item, job};
 use rustix::net::{AddressFamily, SocketType};
-use scan::{CYCLE_US, ScanTimes, at, cpu, rounds};
+use scan::{Around, CYCLE_US, ScanTimes, at, cpu, rounds};
 use sieben_comm::config::Config;
 use sieben_comm::recording::Recorders;
 use sieben_comm::s7comm::session::Shared;
@@ -27,14 +27,14 @@ use sieben_comm::server::{Server, Setup, listen};
 use sieben_cpu::{Communication, Restart};
 use sieben_model::cpu_type::CpuType;
 use sieben_workspace::status::Desk;
-use sieben_workspace::{Driver, Gate, Pace, Plant, Speed, Surroundings};
+use sieben_workspace::{Driver, Gate, Pace, Plant, Speed};
 
 /// The allocator of the command line.
 #[global_allocator]
 static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 
 /// How long one server is asked at a time.
-const TURN: Duration = Duration::from_millis(500);
+const SLICE: Duration = Duration::from_millis(500);
 /// What is noted with the scans: nothing goes on, ours is asked by eight, the other one is.
 const SCANS: [&str; 4] = ["nothing", "eight clients of our server", "eight clients of the native server", "one client of either"];
 /// Connections at once, from two addresses.
@@ -48,23 +48,6 @@ fn work() -> [(&'static str, Vec<Item>); 3] {
         ("200 bytes", vec![Item { area: 0x84, db: 1, byte: 100, length: 200 }]),
         ("19 items", items),
     ]
-}
-
-/// Notes the CPU time of scans.
-struct Around<'a> {
-    kind: &'a AtomicUsize,
-    over: &'a AtomicBool,
-    times: ScanTimes,
-}
-
-impl Surroundings for Around<'_> {
-    fn at_point(&mut self, plant: &mut Plant) {
-        self.times.at_point(self.kind.load(Ordering::Relaxed), plant.scans);
-    }
-
-    fn is_ended(&self) -> bool {
-        self.over.load(Ordering::Relaxed)
-    }
 }
 
 /// The native server, while it runs.
@@ -106,10 +89,10 @@ impl Cell {
         self.waits.len() as f64 / self.seconds.max(1e-9)
     }
 
-    /// The clients ask for one turn.
-    fn turn(&mut self, clients: &mut [Client], items: &[Item]) {
+    /// The clients ask for one slice of the time.
+    fn ask(&mut self, clients: &mut [Client], items: &[Item]) {
         let (job, begin) = (job(items), Instant::now());
-        let end = begin + TURN;
+        let end = begin + SLICE;
         let waits = std::thread::scope(|scope| {
             let asked: Vec<_> = clients.iter_mut().map(|client| scope.spawn(|| client.read_until(end, &job, items))).collect();
             asked.into_iter().flat_map(|thread| thread.join().expect("a client")).collect::<Vec<f64>>()
@@ -139,7 +122,7 @@ fn socket_from(address: Ipv4Addr, to: SocketAddr) -> TcpStream {
     TcpStream::from(socket)
 }
 
-/// Asks both servers by turns until the time is over, and prints what each cell gave.
+/// Asks both servers alternately until the time is over, and prints what each cell gave.
 fn measure(ours: SocketAddr, native: Option<&Native>, seconds: u64, kind: &AtomicUsize) {
     let work = work();
     let servers: Vec<(&str, SocketAddr)> = std::iter::once(("ours", ours)).chain(native.map(|native| ("native", native.1))).collect();
@@ -151,10 +134,10 @@ fn measure(ours: SocketAddr, native: Option<&Native>, seconds: u64, kind: &Atomi
             let (items, many) = (&work[cell / 2].1, if cell % 2 == 0 { 1 } else { 8 });
             for (server, clients) in clients.iter_mut().enumerate() {
                 kind.store(if many == 1 { 3 } else { 1 + server }, Ordering::Relaxed);
-                cells[server][cell].turn(&mut clients[..many], items);
+                cells[server][cell].ask(&mut clients[..many], items);
             }
             kind.store(0, Ordering::Relaxed);
-            std::thread::sleep(TURN);
+            std::thread::sleep(SLICE);
         }
     }
     let (mut product, mut worst) = (1.0, f64::INFINITY);
@@ -188,7 +171,7 @@ fn measure_memory(ours: SocketAddr) {
     println!("{MANY} connections: {:.2} MiB more, their clients included", (resident() - before) / 1_024.0);
     drop(many);
     // Their places are free again for those who come next.
-    std::thread::sleep(TURN);
+    std::thread::sleep(SLICE);
 }
 
 fn main() {

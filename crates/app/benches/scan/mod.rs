@@ -1,5 +1,6 @@
 //! A scan of about a millisecond in a cycle of 10 ms: what the measurements of those outside share.
 
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::Duration;
 
 use rustix::time::{ClockId, clock_gettime};
@@ -9,6 +10,7 @@ use sieben_lang::{Options, compile};
 use sieben_model::cpu_type::CpuType;
 use sieben_model::source::Sources;
 use sieben_model::symbols::SymbolTable;
+use sieben_workspace::{Plant, Surroundings};
 
 /// From one scan to the next.
 pub(crate) const CYCLE_US: u64 = 10_000;
@@ -103,6 +105,25 @@ impl ScanTimes {
             );
         }
         lines
+    }
+}
+
+/// Scans and CPU time of each kind of what goes on outside; looked at where a scan is about to begin.
+pub(crate) struct Around<'a> {
+    /// The number of what goes on.
+    pub(crate) kind: &'a AtomicUsize,
+    /// Whether the measurement is over.
+    pub(crate) over: &'a AtomicBool,
+    pub(crate) times: ScanTimes,
+}
+
+impl Surroundings for Around<'_> {
+    fn at_point(&mut self, plant: &mut Plant) {
+        self.times.at_point(self.kind.load(Ordering::Relaxed), plant.scans);
+    }
+
+    fn is_ended(&self) -> bool {
+        self.over.load(Ordering::Relaxed)
     }
 }
 
