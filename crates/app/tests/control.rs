@@ -9,13 +9,9 @@ use std::os::unix::fs::PermissionsExt;
 use std::os::unix::net::UnixStream;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
-use std::time::{Duration, Instant};
 
-use command::{Folder, sieben};
+use command::{DEADLINE, Folder, sieben, until};
 use serde_json::{Value, json};
-
-/// Far more than anything here takes, also on a busy machine.
-const DEADLINE: Duration = Duration::from_secs(60);
 
 const PROJECT: &str = "[project]\nname = \"pump\"\n\n[[module]]\nkind = \"tank\"\ninput = 256\noutput = 256\n";
 const PROGRAM: &str = "
@@ -67,17 +63,6 @@ fn finished(folder: &Folder, arguments: &[&str]) -> (Option<i32>, String, String
     let Output { status, stdout, stderr } = start(folder, arguments).wait_with_output().expect("the binary ends");
     let text = |bytes| String::from_utf8(bytes).expect("UTF-8");
     (status.code(), text(stdout), text(stderr))
-}
-
-fn until<R>(what: &str, mut look: impl FnMut() -> Option<R>) -> R {
-    let end = Instant::now() + DEADLINE;
-    loop {
-        if let Some(seen) = look() {
-            return seen;
-        }
-        assert!(Instant::now() < end, "{what}");
-        std::thread::sleep(Duration::from_millis(5));
-    }
 }
 
 /// The sockets below a folder.

@@ -10,12 +10,9 @@ use std::os::unix::net::UnixStream;
 use std::process::{Child, ChildStdout, Command, Stdio};
 use std::time::{Duration, Instant};
 
-use command::{Folder, sieben};
+use command::{DEADLINE, Folder, sieben, until};
 use rustix::net::{AddressFamily, SocketType};
 use serde_json::Value;
-
-/// Far more than anything here takes, also on a busy machine.
-const DEADLINE: Duration = Duration::from_secs(60);
 
 /// Counts scans in MW 10, copies MW 100 to MW 102, and goes to STOP when M 50.0 is set.
 const PROGRAM: &str = "
@@ -219,17 +216,6 @@ fn read_request(area: u8, db: u16, byte: u32, count: u16) -> Vec<u8> {
     request.push(area);
     request.extend(&(byte * 8).to_be_bytes()[1..]);
     request
-}
-
-fn until<R>(what: &str, mut look: impl FnMut() -> Option<R>) -> R {
-    let end = Instant::now() + DEADLINE;
-    loop {
-        if let Some(seen) = look() {
-            return seen;
-        }
-        assert!(Instant::now() < end, "{what}");
-        std::thread::sleep(Duration::from_millis(5));
-    }
 }
 
 /// Connects from one of the addresses of this computer, 127.0.0.N.

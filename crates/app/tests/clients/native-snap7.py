@@ -7,7 +7,7 @@ from ctypes import POINTER, c_int32, c_uint8, cast, pointer
 from datetime import datetime, timedelta
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "shared"))
-from checks import check, end, refused
+from checks import again, check, end, refused
 import snap7
 from snap7.types import Areas, S7DataItem, S7WLBit, S7WLByte, S7WLCounter, S7WLWord
 
@@ -21,20 +21,10 @@ def done(got):
     return got in (0, None)
 
 
-
 def connected(rack=0, slot=2):
     client = snap7.client.Client()
     client.connect("127.0.0.1", rack, slot, PORT)
     return client
-
-
-def again(action, wanted, seconds=5):
-    limit = time.monotonic() + seconds
-    while True:
-        got = action()
-        if got == wanted or time.monotonic() > limit:
-            return got
-        time.sleep(0.02)
 
 
 def items(parts):

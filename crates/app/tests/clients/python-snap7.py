@@ -6,7 +6,7 @@ import time
 from datetime import datetime, timedelta
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "shared"))
-from checks import check, end, refused
+from checks import again, check, end, refused
 from snap7 import Area, Block, Client, WordLen
 
 PORT = int(sys.argv[1])
@@ -16,16 +16,6 @@ def connected(rack=0, slot=2):
     client = Client()
     client.connect("127.0.0.1", rack, slot, PORT)
     return client
-
-
-def again(action, wanted, seconds=5):
-    """What an action gives as soon as it is what is wanted; a scan may lie between."""
-    limit = time.monotonic() + seconds
-    while True:
-        got = action()
-        if got == wanted or time.monotonic() > limit:
-            return got
-        time.sleep(0.02)
 
 
 def areas(client):

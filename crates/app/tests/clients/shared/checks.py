@@ -1,6 +1,7 @@
 """One line of JSON for each check, and nothing else on standard output."""
 import json
 import sys
+import time
 
 sys.dont_write_bytecode = True
 
@@ -16,6 +17,16 @@ def check(name, action, wanted):
     right = wanted(got) if callable(wanted) else got == wanted
     print(json.dumps({"check": name, "ok": bool(right), "got": got}, default=str), flush=True)
     return got
+
+
+def again(action, wanted, seconds=5):
+    """What an action gives as soon as it is what is wanted; a scan may lie between."""
+    limit = time.monotonic() + seconds
+    while True:
+        got = action()
+        if got == wanted or time.monotonic() > limit:
+            return got
+        time.sleep(0.02)
 
 
 def refused(*words):
