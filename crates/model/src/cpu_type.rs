@@ -47,6 +47,10 @@ pub struct CpuType {
     pub compares_real_by_difference: bool,
     /// Entries of the diagnostic buffer.
     pub diagnostic_buffer: u16,
+    /// Bytes of the longest PDU of S7 communication.
+    pub pdu: u16,
+    /// Connections of S7 communication.
+    pub connections: u16,
 }
 
 /// One time-of-day interrupt, two delays, four cyclic interrupts, one hardware interrupt; no multicomputing, no background, no hot restart.
@@ -78,6 +82,8 @@ const S7_300: CpuType = CpuType {
     starts_cold: false,
     compares_real_by_difference: false,
     diagnostic_buffer: 100,
+    pdu: 240,
+    connections: 16,
 };
 const S7_400: CpuType = CpuType {
     name: "416-3",
@@ -97,6 +103,8 @@ const S7_400: CpuType = CpuType {
     has_ob88: true,
     status_word_whole: true,
     diagnostic_buffer: 500,
+    pdu: 480,
+    connections: 64,
     ..S7_300
 };
 

@@ -101,7 +101,7 @@ pub fn session(plant: &mut Plant, data: &[u8]) {
     };
     let peer = SocketAddr::from((Ipv4Addr::LOCALHOST, 50_000));
     let mut run = Run {
-        pdu_bytes: usize::from(setup::pdu_bytes_of(rules.cpu)),
+        pdu_bytes: usize::from(rules.cpu.pdu),
         session: Session::new(Arc::new(rules), peer, 0),
         shared: Shared::default(),
         plant,

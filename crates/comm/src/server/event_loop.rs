@@ -93,7 +93,6 @@ impl EventLoop {
         names.address = address_of(&listener);
         let poll = Poll::new()?;
         let rules = config.rules(cpu);
-        let of_cpu = if config.strict { gate.enter(|plant| connections_of(&plant.cpu)).ok().flatten() } else { None };
         listener.set_nonblocking(true)?;
         poll.add(&listener, LISTENER, EventFlags::IN)?;
         poll.add(&common.wake, WAKE, EventFlags::IN)?;
@@ -105,7 +104,7 @@ impl EventLoop {
             rules_unnoted: Arc::new(Rules { writing: Writing::ReadOnly, ..rules.clone() }),
             rules: Arc::new(rules),
             is_unnoted: false,
-            connections_max: of_cpu.map_or(config.connections_max, |most| most.min(config.connections_max)),
+            connections_max: if config.strict { usize::from(cpu.connections).min(config.connections_max) } else { config.connections_max },
             config,
             names,
             shared,
@@ -489,13 +488,6 @@ impl EventLoop {
         view.connections.clear();
         view.connections.extend(self.connections.values().map(Connection::view));
     }
-}
-
-/// How many connections the CPU type has: communication, in system status list 16#0131.
-fn connections_of(cpu: &impl Station) -> Option<usize> {
-    let list = cpu.status_list(0x0131, 1).ok()?;
-    let count = list.records.first()?.get(4..6)?;
-    Some(usize::from(u16::from_be_bytes([count[0], count[1]])))
 }
 
 /// The address that a server listens at, if it is one alone, of IPv4.

@@ -5,19 +5,11 @@ use crate::communication::{Communication, ProtectionLevel};
 
 /// Bytes of each record.
 const BYTES: usize = 40;
-/// Bytes of the largest telegram, on an S7-300 and on an S7-400.
-const PDU: [u16; 2] = [240, 480];
-/// Connections, on an S7-300 and on an S7-400.
-const CONNECTIONS: [u16; 2] = [16, 64];
 /// Bits per second on the MPI network and on the K bus.
 const MPI_SPEED: u32 = 187_500;
 const K_BUS_SPEED: u32 = 10_500_000;
 /// The MPI address of the CPU.
 const MPI_ADDRESS: u16 = 2;
-
-fn of_family(status: &SystemStatus<'_>, values: [u16; 2]) -> u16 {
-    values[usize::from(status.cpu_type.accumulators == 4)]
-}
 
 /// Bytes of a record of list 16#xy37.
 const ETHERNET_BYTES: usize = 48;
@@ -43,7 +35,7 @@ pub(super) fn ethernet(status: &SystemStatus<'_>) -> Vec<Vec<u8>> {
 pub(super) fn capability(status: &SystemStatus<'_>, index: u16) -> Option<Vec<Vec<u8>>> {
     let record = match index {
         1 => {
-            let [pdu, connections] = [of_family(status, PDU), of_family(status, CONNECTIONS)].map(u16::to_be_bytes);
+            let [pdu, connections] = [status.cpu_type.pdu, status.cpu_type.connections].map(u16::to_be_bytes);
             record(BYTES, &[&[0, 1], &pdu, &connections, &MPI_SPEED.to_be_bytes(), &K_BUS_SPEED.to_be_bytes()])
         }
         // Test functions, cyclic reading, operator control, diagnosis, connections, messages: none of them is there.
@@ -73,7 +65,7 @@ pub(super) fn status(status: &SystemStatus<'_>, index: u16) -> Option<Vec<Vec<u8
 fn connections(status: &SystemStatus<'_>) -> Vec<u8> {
     let &Communication { programming_devices, operator_panels, others, .. } = status.communication;
     let taken = [programming_devices.max(1), operator_panels.max(1), others].into_iter().fold(0, u16::saturating_add);
-    let free = of_family(status, CONNECTIONS).saturating_sub(taken);
+    let free = status.cpu_type.connections.saturating_sub(taken);
     words(BYTES, &[1, 1, 1, programming_devices, operator_panels, 0, 0, free, others, 0])
 }
 

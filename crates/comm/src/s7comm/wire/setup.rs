@@ -9,7 +9,7 @@ use super::cotp;
 pub const FUNCTION: u8 = 0xF0;
 /// The shortest PDU that is agreed on: clients rely on it, also those that offer less.
 const PDU_BYTES_MIN: u16 = 240;
-/// The longest PDU of an S7-400; an S7-300 has [`PDU_BYTES_MIN`].
+/// The longest PDU of all CPU types.
 pub const PDU_BYTES_MAX: u16 = 480;
 /// Jobs of one connection that may wait for their answers.
 pub const JOBS_MAX: u16 = 8;
@@ -23,11 +23,6 @@ pub struct Offer {
     pub jobs_called: u16,
     /// Bytes of the longest PDU.
     pub pdu_bytes: u16,
-}
-
-/// The longest PDU of a CPU type.
-pub fn pdu_bytes_of(cpu: &CpuType) -> u16 {
-    if cpu.accumulators == 4 { PDU_BYTES_MAX } else { PDU_BYTES_MIN }
 }
 
 /// Reads the parameters of the job, function code included.
@@ -50,7 +45,7 @@ impl Offer {
     #[must_use]
     pub fn agreed(self, cpu: &CpuType, tpdu_bytes: usize) -> Self {
         let jobs = |offered: u16| offered.clamp(1, JOBS_MAX);
-        let mut pdu_bytes = self.pdu_bytes.clamp(PDU_BYTES_MIN, pdu_bytes_of(cpu));
+        let mut pdu_bytes = self.pdu_bytes.clamp(PDU_BYTES_MIN, cpu.pdu);
         // A TPDU counts its head too. What is still longer than one goes out in fragments.
         if usize::from(pdu_bytes) + cotp::DATA_HEAD > tpdu_bytes {
             pdu_bytes = PDU_BYTES_MIN;
