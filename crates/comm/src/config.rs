@@ -5,9 +5,9 @@ use std::net::{IpAddr, Ipv4Addr, SocketAddr};
 use sieben_cpu::ProtectionLevel;
 use sieben_model::cpu_type::CpuType;
 pub use sieben_workspace::settings::servers::CONNECTIONS_MAX;
-use sieben_workspace::settings::servers::{Access, Allowed, AuditLog, Password, S7, Scope};
+use sieben_workspace::settings::servers::{Allowed, AuditLog, Password, S7};
 
-use crate::s7comm::guard::{self, AllowedArea, Rules, Writing};
+use crate::s7comm::guard::{Rules, Writing};
 
 /// Where a server listens that is asked for nothing else.
 pub const LISTEN: SocketAddr = SocketAddr::new(IpAddr::V4(Ipv4Addr::LOCALHOST), 1102);
@@ -64,24 +64,12 @@ impl Config {
 
     /// What it means for the connections to a CPU of this type.
     pub fn rules(&self, cpu: &'static CpuType) -> Rules {
-        let allowed = |entry: &Allowed| guard::Allowed {
-            area: match &entry.scope {
-                Scope::Inputs => AllowedArea::Inputs,
-                Scope::Outputs => AllowedArea::Outputs,
-                Scope::BitMemory => AllowedArea::BitMemory,
-                Scope::Peripheral => AllowedArea::Peripheral,
-                Scope::Timers => AllowedArea::Timers,
-                Scope::Counters => AllowedArea::Counters,
-                Scope::DataBlocks(numbers) => AllowedArea::DataBlocks(numbers.clone()),
-            },
-            writing: if entry.access == Access::Read { Writing::ReadOnly } else { Writing::Allowed },
-        };
         Rules {
             cpu,
             protection: self.protection,
             password: self.password.as_ref().map(Password::characters),
             writing: self.writing,
-            allow: self.allow.as_ref().map(|entries| entries.iter().map(allowed).collect()),
+            allow: self.allow.clone(),
             strict: self.strict,
             strict_slot: self.strict_slot,
         }

@@ -1,9 +1,8 @@
 //! What a connection may do: functions, areas and data blocks.
 
-use std::ops::RangeInclusive;
-
 use sieben_cpu::{ProtectionLevel, Restart};
 use sieben_model::cpu_type::CpuType;
+use sieben_workspace::settings::servers::{Access, Allowed, Scope};
 
 use super::job::{BlockName, BlockType, Job, VariableArea};
 use super::wire::codes::{ItemCode, Refusal};
@@ -35,34 +34,6 @@ pub enum Writing {
     Allowed,
     /// They may not: every write is refused.
     ReadOnly,
-}
-
-/// An area that may be reached.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Allowed {
-    /// Which area.
-    pub area: AllowedArea,
-    /// Whether it may be written as well.
-    pub writing: Writing,
-}
-
-/// An area in an allow-list.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum AllowedArea {
-    /// Peripheral inputs and outputs.
-    Peripheral,
-    /// Inputs.
-    Inputs,
-    /// Outputs.
-    Outputs,
-    /// Bit memory.
-    BitMemory,
-    /// Timers.
-    Timers,
-    /// Counters.
-    Counters,
-    /// Data blocks with these numbers.
-    DataBlocks(RangeInclusive<u16>),
 }
 
 /// Whether a connection has entered the password.
@@ -242,9 +213,9 @@ impl Rules {
     }
 
     fn reaches(&self, area: VariableArea, effect: Effect) -> bool {
-        self.allow
-            .as_ref()
-            .is_none_or(|allowed| allowed.iter().any(|one| one.area.holds(area) && (effect == Looks || one.writing == Writing::Allowed)))
+        self.allow.as_ref().is_none_or(|allowed| {
+            allowed.iter().any(|one| holds(&one.scope, area) && (effect == Looks || one.access == Access::ReadAndWrite))
+        })
     }
 }
 
@@ -256,18 +227,17 @@ fn refuse_items<T>(items: &mut [Result<T, ItemCode>], reaches: impl Fn(&T) -> bo
     }
 }
 
-impl AllowedArea {
-    fn holds(&self, area: VariableArea) -> bool {
-        match (self, area) {
-            (Self::Peripheral, VariableArea::Peripheral)
-            | (Self::Inputs, VariableArea::Input)
-            | (Self::Outputs, VariableArea::Output)
-            | (Self::BitMemory, VariableArea::BitMemory)
-            | (Self::Timers, VariableArea::Timer)
-            | (Self::Counters, VariableArea::Counter) => true,
-            (Self::DataBlocks(numbers), VariableArea::DataBlock(number)) => numbers.contains(&number),
-            _ => false,
-        }
+/// Whether an entry of an allow-list is about an area.
+fn holds(scope: &Scope, area: VariableArea) -> bool {
+    match (scope, area) {
+        (Scope::Peripheral, VariableArea::Peripheral)
+        | (Scope::Inputs, VariableArea::Input)
+        | (Scope::Outputs, VariableArea::Output)
+        | (Scope::BitMemory, VariableArea::BitMemory)
+        | (Scope::Timers, VariableArea::Timer)
+        | (Scope::Counters, VariableArea::Counter) => true,
+        (Scope::DataBlocks(numbers), VariableArea::DataBlock(number)) => numbers.contains(&number),
+        _ => false,
     }
 }
 
@@ -337,9 +307,9 @@ mod tests {
     #[test]
     fn an_allow_list_holds_for_variables_and_for_data_blocks_as_a_whole() {
         let allow = vec![
-            Allowed { area: AllowedArea::DataBlocks(10..=19), writing: Writing::Allowed },
-            Allowed { area: AllowedArea::DataBlocks(20..=29), writing: Writing::ReadOnly },
-            Allowed { area: AllowedArea::BitMemory, writing: Writing::ReadOnly },
+            Allowed { scope: Scope::DataBlocks(10..=19), access: Access::ReadAndWrite },
+            Allowed { scope: Scope::DataBlocks(20..=29), access: Access::Read },
+            Allowed { scope: Scope::BitMemory, access: Access::Read },
         ];
         let rules = Rules { allow: Some(allow), ..rules() };
         let reads = |area| {

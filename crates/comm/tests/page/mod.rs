@@ -5,9 +5,10 @@ mod run;
 use std::ops::RangeInclusive;
 
 use pulldown_cmark::{CodeBlockKind, Event, Parser, Tag, TagEnd};
-use sieben_comm::s7comm::guard::{Allowed, AllowedArea, Rules, Writing};
+use sieben_comm::s7comm::guard::{Rules, Writing};
 use sieben_cpu::ProtectionLevel;
 use sieben_model::cpu_type::CpuType;
+use sieben_workspace::settings::servers::{Access, Allowed, Password, Scope};
 
 pub(crate) use run::{failures, failures_byte_by_byte};
 
@@ -165,24 +166,22 @@ impl Telegrams {
             ("protection", "2") => rules.protection = ProtectionLevel::WriteProtected,
             ("protection", "3") => rules.protection = ProtectionLevel::ReadWriteProtected,
             ("password", text) => {
-                let mut password = [b' '; 8];
-                password.iter_mut().zip(text.bytes()).for_each(|(to, from)| *to = from);
-                rules.password = Some(password);
+                rules.password = Some(Password::new(text).ok_or("`password` has one to eight characters")?.characters());
             }
             ("read-only", "") => rules.writing = Writing::ReadOnly,
             ("strict", "") => rules.strict = true,
             ("strict-slot", "") => rules.strict_slot = true,
             ("allow", what) => {
-                let (what, writing) = match what.strip_suffix(" read-only") {
-                    Some(what) => (what, Writing::ReadOnly),
-                    None => (what, Writing::Allowed),
+                let (what, access) = match what.strip_suffix(" read-only") {
+                    Some(what) => (what, Access::Read),
+                    None => (what, Access::ReadAndWrite),
                 };
-                let area = match what.split_once(' ') {
-                    Some(("DB", range)) => AllowedArea::DataBlocks(numbers(range).ok_or("`allow DB 1..9`")?),
-                    None if what == "M" => AllowedArea::BitMemory,
+                let scope = match what.split_once(' ') {
+                    Some(("DB", range)) => Scope::DataBlocks(numbers(range).ok_or("`allow DB 1..9`")?),
+                    None if what == "M" => Scope::BitMemory,
                     _ => return Err(format!("`allow {what}` is not known here")),
                 };
-                rules.allow.get_or_insert_default().push(Allowed { area, writing });
+                rules.allow.get_or_insert_default().push(Allowed { scope, access });
             }
             _ => return Err(format!("`{word}` is not known here")),
         }
