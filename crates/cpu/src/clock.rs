@@ -21,10 +21,17 @@ pub struct DateAndTime(u64);
 /// Days that DATE_AND_TIME can tell apart, those of 1990 to 2089; then it begins again.
 const CENTURY_DAYS: u64 = 100 * 365 + 25;
 const DAY_MS: u64 = 86_400_000;
+/// Twenty years, five of them leap years.
+const MS_FROM_1970_TO_1990: u64 = (20 * 365 + 5) * DAY_MS;
 
 impl DateAndTime {
     /// 1994-01-01 00:00, where a CPU without a battery begins and where virtual time begins.
     pub const DEFAULT: Self = Self(4 * 365 * DAY_MS + DAY_MS);
+
+    /// A point in time by its milliseconds since 1970-01-01 00:00, as computers count; what lies before 1990 is its beginning.
+    pub const fn from_ms_since_1970(ms: u64) -> Self {
+        Self(ms.saturating_sub(MS_FROM_1970_TO_1990))
+    }
 
     /// A point in time by its milliseconds since 1990-01-01 00:00.
     pub const fn from_ms_since_1990(ms: u64) -> Self {

@@ -30,6 +30,25 @@ pub enum Restart {
     Cold,
 }
 
+impl Restart {
+    /// All kinds.
+    pub const ALL: [Self; 3] = [Self::Warm, Self::Cold, Self::Hot];
+
+    /// Its word: `warm`, `cold`, `hot`.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Warm => "warm",
+            Self::Cold => "cold",
+            Self::Hot => "hot",
+        }
+    }
+
+    /// The kind of a word, in any case.
+    pub fn from_word(word: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|kind| kind.word().eq_ignore_ascii_case(word))
+    }
+}
+
 /// Why the CPU is in STOP.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct StopCause {

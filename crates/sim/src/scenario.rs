@@ -603,12 +603,7 @@ impl Scenario {
 }
 
 fn kind_of_restart(word: &str) -> Result<Restart, String> {
-    match word.to_ascii_lowercase().as_str() {
-        "warm" => Ok(Restart::Warm),
-        "hot" => Ok(Restart::Hot),
-        "cold" => Ok(Restart::Cold),
-        _ => Err(format!("`{word}` is no kind of restart; write `warm`, `hot` or `cold`")),
-    }
+    Restart::from_word(word).ok_or_else(|| format!("`{word}` is no kind of restart; write `warm`, `hot` or `cold`"))
 }
 
 /// When the scans of a run begin.

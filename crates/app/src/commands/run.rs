@@ -34,8 +34,6 @@ use crate::{output, watch};
 
 /// How often the status line is drawn.
 const STATUS_PERIOD: Duration = Duration::from_millis(100);
-/// The epochs of UNIX and of the CPU clock: 20 years with five leap days.
-const FROM_1970_TO_1990: Duration = Duration::from_secs((20 * 365 + 5) * 86_400);
 /// Exit code after a second Ctrl-C: what shells report for SIGINT.
 const INTERRUPTED: i32 = 130;
 /// Entries of the diagnostic buffer that are printed after a STOP: cause, consequence and how the run began.
@@ -242,7 +240,7 @@ fn real_clock() -> Clock {
 /// The time of day of this computer, UTC.
 pub(crate) fn now() -> DateAndTime {
     let since_1970 = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default();
-    DateAndTime::from_ms_since_1990(since_1970.saturating_sub(FROM_1970_TO_1990).as_millis() as u64)
+    DateAndTime::from_ms_since_1970(since_1970.as_millis() as u64)
 }
 
 /// From now on Ctrl-C asks the CPU for STOP at its next safe point and ends the run; a second one ends the process.

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::net::SocketAddr;
 
 use serde_json::{Map, Value, json};
-use sieben_cpu::{DateAndTime, Restart};
+use sieben_cpu::DateAndTime;
 use sieben_workspace::control;
 use sieben_workspace::settings::servers::Writes;
 
@@ -20,8 +20,6 @@ const MERGED_MAX: usize = 1_024;
 const VALUE_BYTES_MAX: usize = 512;
 /// The peer of what comes over the control socket.
 const CONTROL: &str = "control socket";
-/// From 1970 to 1990, in milliseconds.
-const FROM_1970_TO_1990_MS: u64 = (20 * 365 + 5) * 86_400_000;
 
 /// Notes what is done from outside.
 pub struct Audit {
@@ -197,7 +195,7 @@ impl Drop for Audit {
 
 /// What each record begins with.
 fn head(peer: &str, wall_us: u64) -> Map<String, Value> {
-    let time = DateAndTime::from_ms_since_1990((wall_us / 1_000).saturating_sub(FROM_1970_TO_1990_MS));
+    let time = DateAndTime::from_ms_since_1970(wall_us / 1_000);
     let mut record = Map::new();
     record.insert("time".to_owned(), format!("{}Z", time.display().replace(' ', "T")).into());
     record.insert("peer".to_owned(), peer.into());
@@ -229,7 +227,7 @@ fn describe(what: &What, record: &mut Map<String, Value>) -> Option<String> {
         What::SetClock => ("set_clock", None),
         What::Stop => ("stop", None),
         What::Start(restart) => {
-            put("restart", restart_word(*restart).into());
+            put("restart", restart.word().into());
             ("start", None)
         }
         What::CopyRamToRom => ("copy_ram_to_rom", None),
@@ -247,14 +245,6 @@ fn describe(what: &What, record: &mut Map<String, Value>) -> Option<String> {
         put("object", block_text(block).into());
     }
     None
-}
-
-fn restart_word(restart: Restart) -> &'static str {
-    match restart {
-        Restart::Warm => "warm",
-        Restart::Cold => "cold",
-        Restart::Hot => "hot",
-    }
 }
 
 fn block_text(block: &BlockName) -> String {
@@ -416,7 +406,7 @@ mod tests {
             (What::Setup(240), r#""pdu":240,"what":"setup","#),
             (What::SetClock, r#""what":"set_clock""#),
             (What::Stop, r#""what":"stop""#),
-            (What::Start(Restart::Cold), r#""restart":"cold","what":"start""#),
+            (What::Start(sieben_cpu::Restart::Cold), r#""restart":"cold","what":"start""#),
             (What::CopyRamToRom, r#""what":"copy_ram_to_rom""#),
             (What::Compress, r#""what":"compress""#),
             (What::MemoryReset, r#""what":"memory_reset""#),

@@ -443,7 +443,7 @@ impl Scenario {
             None => {}
         }
         if let Some(start) = self.start {
-            line(&mut text, format_args!("start {}", spelling::restart(start)));
+            line(&mut text, format_args!("start {}", start.word()));
         }
         if let Some(clock) = self.clock {
             line(&mut text, format_args!("clock {}", spelling::clock(clock)));

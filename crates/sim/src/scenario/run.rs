@@ -194,7 +194,7 @@ impl<'a, 'o> Run<'a, 'o> {
                 self.plant(command);
             }
             Command::Restart(restart) => {
-                self.tell(&format!("restart {}", spelling::restart(*restart)));
+                self.tell(&format!("restart {}", restart.word()));
                 self.restart(*restart);
             }
             Command::Expect(assignments, within) => self.expect(assignments, *within),

@@ -1,6 +1,6 @@
 //! Writes what a scenario reads: times, names, values, interrupts.
 
-use sieben_cpu::{DateAndTime, Interrupt, Restart};
+use sieben_cpu::{DateAndTime, Interrupt};
 use sieben_model::address::{Area, Operand};
 use sieben_model::format::Format;
 use sieben_model::literal;
@@ -72,14 +72,6 @@ pub(super) fn interrupt(interrupt: &Interrupt) -> String {
         "OB {} EVENT=16#{:04X} ID=16#{:04X} INFO1=16#{:04X} INFO2=16#{:08X}",
         info.block, info.event, info.data_id, info.info_1, info.info_2
     )
-}
-
-pub(super) fn restart(restart: Restart) -> &'static str {
-    match restart {
-        Restart::Warm => "warm",
-        Restart::Hot => "hot",
-        Restart::Cold => "cold",
-    }
 }
 
 pub(super) fn clock(clock: DateAndTime) -> String {

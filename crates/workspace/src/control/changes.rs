@@ -1,7 +1,5 @@
 //! What requests have changed, for a log of what is done from outside.
 
-use sieben_cpu::Restart;
-
 use super::answer::{Answer, Done};
 use super::request::{FaultChange, ModeChange, Request};
 use crate::refusal::Refusal;
@@ -53,7 +51,7 @@ pub(super) fn of(request: &Request, answer: &Result<Answer, Refusal>) -> Vec<Cha
         Request::Unforce(names) => items("unforce", &mut names.iter().map(|name| (name, None))),
         Request::UnforceAll => vec![one("unforce", None, None)],
         Request::Mode(ModeChange::Stop) => vec![one("stop", None, None)],
-        Request::Mode(ModeChange::Run(restart)) => vec![one("start", None, Some(word(*restart)))],
+        Request::Mode(ModeChange::Run(restart)) => vec![one("start", None, Some(restart.word()))],
         Request::Mode(ModeChange::MemoryReset) => vec![one("memory_reset", None, None)],
         Request::Faults(FaultChange::Inject(fault)) => vec![one("fault", Some(fault), None)],
         Request::Faults(FaultChange::Mend(signal)) => vec![one("fault_end", Some(signal), None)],
@@ -72,14 +70,6 @@ fn scan(answer: &Result<Answer, Refusal>) -> Option<u64> {
         Ok(Answer::Done(done)) => done.scan,
         Ok(Answer::Mode(mode)) => Some(mode.scans),
         _ => None,
-    }
-}
-
-fn word(restart: Restart) -> &'static str {
-    match restart {
-        Restart::Warm => "warm",
-        Restart::Cold => "cold",
-        Restart::Hot => "hot",
     }
 }
 

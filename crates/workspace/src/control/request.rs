@@ -218,10 +218,11 @@ impl<'a> Fields<'a> {
 
     fn mode(&self) -> Result<Request, Refusal> {
         let restart = match self.text("restart")? {
-            None | Some("warm") => Restart::Warm,
-            Some("cold") => Restart::Cold,
-            Some("hot") => Restart::Hot,
-            Some(other) => return Err(not_understood(format!("`{}` is no restart; there are `warm`, `cold` and `hot`", shortened(other)))),
+            None => Restart::Warm,
+            Some(word) => Restart::ALL
+                .into_iter()
+                .find(|kind| kind.word() == word)
+                .ok_or_else(|| not_understood(format!("`{}` is no restart; there are `warm`, `cold` and `hot`", shortened(word))))?,
         };
         match self.wanted("mode", "run")? {
             "run" => Ok(Request::Mode(ModeChange::Run(restart))),

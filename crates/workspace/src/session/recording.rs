@@ -73,7 +73,7 @@ pub fn write(session: &Session) -> Option<String> {
         }
         match action {
             Action::Scan { now_us } => scans = Some(Scans { first_us: *now_us, step_us: 0, count: 1 }),
-            Action::Restart(restart) => text.push_str(&format!("restart {}\n", restart_word(*restart))),
+            Action::Restart(restart) => text.push_str(&format!("restart {}\n", restart.word())),
             Action::Set(set) if inside => text.push_str(&format!("set @{at} {}={}\n", set.name.full_text(), set.text)),
             Action::Set(set) => text.push_str(&format!("set {}={}\n", set.name.full_text(), set.text)),
         }
@@ -106,14 +106,6 @@ impl Scans {
 
     fn text(&self) -> String {
         format!("scan {} {} {}\n", self.first_us, self.step_us, self.count)
-    }
-}
-
-fn restart_word(restart: Restart) -> &'static str {
-    match restart {
-        Restart::Cold => "cold",
-        Restart::Warm => "warm",
-        Restart::Hot => "hot",
     }
 }
 
@@ -153,7 +145,7 @@ pub fn read(text: &str, build: &Build, parse: impl Fn(&str) -> Result<Name, Stri
                 return Ok(Recording { actions, end });
             }
             "restart" => {
-                let restart = [Restart::Cold, Restart::Warm, Restart::Hot].into_iter().find(|&one| restart_word(one) == rest);
+                let restart = Restart::ALL.into_iter().find(|one| one.word() == rest);
                 let restart = restart.ok_or_else(|| wrong(number, "`restart` is cold, warm or hot"))?;
                 actions.push((Action::Restart(restart), None));
             }
