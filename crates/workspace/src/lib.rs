@@ -19,6 +19,7 @@ pub mod names;
 pub mod nearest;
 pub mod online_change;
 pub mod pace;
+pub mod past;
 pub mod places;
 pub mod project;
 pub mod refusal;

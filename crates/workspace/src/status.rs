@@ -9,12 +9,13 @@ use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-use sieben_cpu::{EndState, NotReplayed, RecordedScan, Replayer};
+use sieben_cpu::{EndState, NotReplayed, RecordedScan, Replayer, Step};
 use sieben_engine::machine::Registers;
 use sieben_engine::{Machine, StatementEvent, Tracer};
 use sieben_model::block::BlockId;
 
 use crate::gate::Plant;
+use crate::past::Past;
 
 /// Least distance of two recorded scans, in microseconds: 20 a second at most.
 pub const DISTANCE_US: u64 = 50_000;
@@ -83,6 +84,7 @@ pub struct Desk {
     like: Mutex<Option<Arc<EndState>>>,
     newest: Mutex<Newest>,
     sampled: Condvar,
+    past: Past,
 }
 
 /// Blocks are looked at as long as this is there.
@@ -123,9 +125,23 @@ impl Desk {
         Look { desk: self, blocks }
     }
 
+    /// The past of the run.
+    pub fn past(&self) -> &Past {
+        &self.past
+    }
+
     /// One scan, recorded if there are onlookers and it is time. `real_us` is what the computer's clock shows. Of the scans that are asked for
     /// while time stands still the last one is always recorded: it is the one that they look at.
     pub(crate) fn scan(&self, plant: &mut Plant, clock: &mut dyn FnMut() -> u64, real_us: u64) {
+        self.past.step(plant, Step::Scan, clock, |plant, clock| self.scan_now(plant, clock, real_us));
+    }
+
+    /// What comes between two scans.
+    pub(crate) fn serve(&self, plant: &mut Plant, clock: &mut dyn FnMut() -> u64) {
+        self.past.step(plant, Step::Serve, clock, |plant, clock| plant.cpu.serve_with(clock, None));
+    }
+
+    fn scan_now(&self, plant: &mut Plant, clock: &mut dyn FnMut() -> u64, real_us: u64) {
         let last = self.last_us.load(Ordering::Relaxed);
         let is_last_step = plant.pace.is_paused() && !plant.pace.has_steps();
         let is_due = last == 0 || is_last_step || real_us.saturating_sub(last) >= DISTANCE_US;

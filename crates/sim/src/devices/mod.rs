@@ -22,7 +22,7 @@ pub const STEP_US: u64 = 1_000;
 pub const ANALOG_MAX: f64 = 27_648.0;
 
 /// The world behind the terminals of a device. It knows no addresses: bytes count from the first of the device.
-pub trait Process: Send {
+pub trait Process: Send + Sync {
     /// One step of [`STEP_US`] passes with these output bytes; `hands` are the input bytes as people and things around have set them.
     fn step(&mut self, commands: &[u8], hands: &[u8]);
     /// Writes what its sensors see; bits that belong to people stay as they are.

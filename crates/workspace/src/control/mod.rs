@@ -217,7 +217,7 @@ impl Control {
     }
 
     fn state(&self, gate: &Gate) -> Result<State, Refusal> {
-        let (mut state, cause, forced) = gate.enter(|plant| {
+        let (mut state, cause, forced) = gate.look(|plant| {
             let cpu = &plant.cpu;
             let state = State {
                 project: None,
@@ -337,7 +337,7 @@ impl Control {
     }
 
     fn diagnostics(&self, gate: &Gate, after: u64) -> Result<Diagnostics, Refusal> {
-        let (newest, entries) = gate.enter(|plant| {
+        let (newest, entries) = gate.look(|plant| {
             let buffer = plant.cpu.diagnostic_buffer();
             (buffer.newest_number(), buffer.newer_than(after).map(|(number, entry)| (number, entry.clone())).collect::<Vec<_>>())
         })?;
@@ -353,10 +353,10 @@ impl Control {
     }
 
     fn blocks(&self, gate: &Gate, from: usize) -> Result<Blocks, Refusal> {
-        let ids = gate.enter(|plant| plant.cpu.blocks())?;
+        let ids = gate.look(|plant| plant.cpu.blocks())?;
         let total = ids.len();
         let wanted = ids.into_iter().skip(from).take(BLOCKS_MAX);
-        let views = gate.enter_for_each(wanted, |plant, id| plant.cpu.block(id))?;
+        let views = gate.look_for_each(wanted, |plant, id| plant.cpu.block(id))?;
         let next = from.saturating_add(views.len());
         let named = |view: sieben_cpu::BlockView| {
             let name = self.facts.block_names.get(&view.id).cloned();
@@ -408,7 +408,7 @@ fn not_now(error: impl std::fmt::Display) -> Refusal {
 }
 
 fn mode(gate: &Gate, change: ModeChange) -> Result<Mode, Refusal> {
-    let now = |plant: &mut Plant| Mode { mode: plant.cpu.mode(), scans: plant.scans };
+    let now = |plant: &Plant| Mode { mode: plant.cpu.mode(), scans: plant.scans };
     match change {
         ModeChange::Stop => Ok(gate.command(|plant| {
             plant.stop(Requester::default());
@@ -436,11 +436,11 @@ fn start(gate: &Gate, restart: Restart) -> Result<Mode, Refusal> {
 }
 
 /// Looks at the plant until there is something to be seen, for two seconds at most.
-fn wait<R>(gate: &Gate, mut look: impl FnMut(&mut Plant) -> Option<R>) -> Result<Option<R>, Refusal> {
+fn wait<R>(gate: &Gate, mut look: impl FnMut(&Plant) -> Option<R>) -> Result<Option<R>, Refusal> {
     let end = gate.now_us().saturating_add(u64::try_from(WAIT_MAX.as_micros()).unwrap_or(u64::MAX));
     loop {
         let points = gate.points();
-        if let Some(seen) = gate.enter(&mut look)? {
+        if let Some(seen) = gate.look(&mut look)? {
             return Ok(Some(seen));
         }
         if gate.now_us() >= end {
@@ -451,7 +451,7 @@ fn wait<R>(gate: &Gate, mut look: impl FnMut(&mut Plant) -> Option<R>) -> Result
 }
 
 fn time(gate: &Gate, change: TimeChange) -> Result<Time, Refusal> {
-    let now = |plant: &mut Plant| Time {
+    let now = |plant: &Plant| Time {
         paused: plant.pace.is_paused(),
         speed: plant.pace.speed(),
         scans: plant.scans,
@@ -471,7 +471,7 @@ fn time(gate: &Gate, change: TimeChange) -> Result<Time, Refusal> {
     match change {
         TimeChange::Step(_) => match wait(gate, |plant| (!plant.pace.has_steps()).then(|| now(plant)))? {
             Some(done) => Ok(done),
-            None => Ok(gate.enter(now)?),
+            None => Ok(gate.look(now)?),
         },
         _ => Ok(changed),
     }
