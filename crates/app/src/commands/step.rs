@@ -158,7 +158,7 @@ fn read_commands(arguments: &Arguments, session: &mut Session, mut input: Box<dy
     let prompts = arguments.commands.is_none() && std::io::stdin().is_terminal() && !arguments.json;
     let mut wrong = false;
     if !arguments.json {
-        output::print(table::head(session.language))?;
+        output::print(table::head(session))?;
     }
     loop {
         if prompts {

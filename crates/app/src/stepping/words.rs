@@ -59,9 +59,9 @@ pub(crate) const KEYS: [(&str, Text); 8] = [
 
 /// All keys, for the help.
 pub(crate) const HELP: &[(&str, Text)] = &[
-    ("s o u", ["step one statement, over a call, out of the block", "eine Anweisung, über einen Aufruf, aus dem Baustein"]),
+    ("s i o u", ["step one statement, into the library, over a call, out", "eine Anweisung, in die Bibliothek, über einen Aufruf, hinaus"]),
     ("n b c", ["step to the next network, block, scan", "zum nächsten Netzwerk, Baustein, Zyklus"]),
-    ("S O U N B C", ["the same steps back", "dieselben Schritte zurück"]),
+    ("S I O U N B C", ["the same steps back", "dieselben Schritte zurück"]),
     ("r R", ["run to a breakpoint, run back to one", "bis zu einem Haltepunkt, zurück zu einem"]),
     ("↑ ↓ PgUp PgDn", ["move the cursor", "Schreibmarke bewegen"]),
     ("g", ["run to the line of the cursor", "bis zur Zeile der Schreibmarke"]),
