@@ -241,7 +241,9 @@ fn verb(session: &mut Session, found: &Row, operand: &str, row: &mut dyn FnMut(&
         Verb::Set => {
             let (text, value) = command_names::split_assignment(operand)?;
             let name = name(session, text, session.here())?;
-            let unfit = |error: sieben_sim::names::NameError| Refusal::new(Problem::P7004, format!("`{operand}`: {error}"));
+            let unfit = |error: sieben_sim::names::NameError| {
+                Refusal::new(command_names::problem_of_value(&error), format!("`{operand}`: {error}"))
+            };
             let setting = Setting::new(name, value).map_err(unfit)?;
             session.set(setting.clone()).map_err(unfit)?;
             Answer::Set(setting)
