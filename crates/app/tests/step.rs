@@ -487,3 +487,65 @@ fn an_element_of_a_diagram_is_paused_at_and_named_like_a_statement() {
     let run = folder.run(&["step", "main.lad", "--commands", "steps.txt", "--json"]).code(0);
     assert!(run.stdout.contains("\"file\":\"main.lad\",\"line\":10,\"text\":\"= Q 4.0\""), "{}", run.stdout);
 }
+
+#[test]
+fn constants_are_shown_by_their_names_and_cannot_be_set() {
+    let source = "VAR_GLOBAL CONSTANT LIMIT : INT := 7; END_VAR\n\
+        FUNCTION_BLOCK Lane\nVAR CONSTANT PLACES : INT := 50; END_VAR\nVAR n : INT; END_VAR\nn := n + PLACES;\nEND_FUNCTION_BLOCK\n\
+        PROGRAM Main\nVAR CONSTANT DAY : DATE := D#2024-02-29; NAME : STRING[4] := 'abc'; FAST : BOOL := TRUE; RATE : REAL := 2.5; END_VAR\n\
+        VAR lane1 : Lane; d : DATE; END_VAR\nd := DAY;\nlane1();\nIF d > D#2024-01-01 THEN d := d; END_IF;\nEND_PROGRAM\n";
+    let commands =
+        "print DAY, NAME, FAST, RATE, LIMIT, Main.DAY, Lane.PLACES, DAY:BIN\nto Lane:1\nprint PLACES, #PLACES\nset PLACES=5\nstep\nscan\n";
+    let folder = Folder::with(&[("main.st", source), ("steps.txt", commands)]);
+    let run = folder.run(&["step", "main.st", "--commands", "steps.txt"]).code(2);
+    for line in [
+        "  DAY = D#2024-02-29\n  NAME = 'abc'\n  FAST = 1\n  RATE = 2.5\n  LIMIT = 7\n  Main.DAY = D#2024-02-29\n  Lane.PLACES = 50\n",
+        "  PLACES = 50\n  #PLACES = 50\n",
+        "// n = 50\n",
+    ] {
+        assert!(run.stdout.contains(line), "`{line}` is missing in\n{}{}", run.stdout, run.stderr);
+    }
+    assert!(run.stderr.contains("[P7113] Error: `PLACES=5`: `PLACES` is a constant"), "{}", run.stderr);
+    // What a block calls its own means nothing elsewhere, and programs get the notation of 64 bits as before.
+    let shown = folder.run(&["exec", "main.st", "--scans", "1", "--show", "LIMIT,d,Main.NAME:HEX"]).code(0);
+    assert!(shown.stdout.starts_with("LIMIT         = 7\nd             = LD#2024-02-29\n"), "{}", shown.stdout);
+    let unknown = folder.run(&["exec", "main.st", "--scans", "1", "--show", "PLACES"]).code(2);
+    assert!(unknown.stderr.contains("P7003"), "{}", unknown.stderr);
+    let scl = "FUNCTION FC1 : VOID\nCONST\n DEPTH := 12;\nEND_CONST\nVAR_TEMP\n x : INT;\nEND_VAR\nBEGIN\n x := DEPTH;\nEND_FUNCTION\n\
+        ORGANIZATION_BLOCK OB1\nBEGIN\n FC1();\nEND_ORGANIZATION_BLOCK\n";
+    let folder = Folder::with(&[("main.scl", scl), ("steps.txt", "to FC1:1\nprint DEPTH, FC1.DEPTH\n")]);
+    let run = folder.run(&["step", "main.scl", "--commands", "steps.txt"]).code(0);
+    assert!(run.stdout.ends_with("  DEPTH = 12\n  FC1.DEPTH = 12\n"), "{}{}", run.stdout, run.stderr);
+}
+
+#[test]
+fn a_pointer_is_shown_as_it_is_written() {
+    let source = "FUNCTION FC 1 : VOID\nVAR_INPUT\n p : POINTER;\n a : ANY;\nEND_VAR\nBEGIN\nNOP 0\nEND_FUNCTION\n\
+        ORGANIZATION_BLOCK OB 1\nBEGIN\nCALL FC 1 (p := P#M 10.0, a := P#DB5.DBX 10.0 BYTE 20);\nEND_ORGANIZATION_BLOCK\n";
+    let (folder, run) = step(source, "to FC1:1\nlocals\nprint #p\n", &[]);
+    assert!(
+        run.stdout.contains("  #p  POINTER  P#M 10.0\n") && run.stdout.contains("  #a  ANY      P#DB5.DBX 10.0 BYTE 20\n"),
+        "{}",
+        run.stdout
+    );
+    assert!(run.stdout.ends_with("  #p = P#M 10.0\n"), "{}", run.stdout);
+    let json = folder.run(&["step", "main.awl", "--commands", "steps.txt", "--json"]);
+    assert!(json.stdout.contains("\"values\":{\"#p\":\"00 00 83 00 00 50\"}"), "{}", json.stdout);
+}
+
+#[test]
+fn a_rotation_can_be_followed_bit_by_bit() {
+    // RLD goes around in the accumulator, RRDA through CC 1.
+    let source = "ORGANIZATION_BLOCK OB 1\nBEGIN\nL DW#16#5F64AA5D\nRLD 4\nRRDA\nEND_ORGANIZATION_BLOCK\n";
+    let commands = "show ACCU1:BIN\nstep\nstep\nstep\n";
+    let (_folder, run) = step(source, commands, &[]);
+    let bits: Vec<&str> = run.stdout.lines().filter_map(|line| line.trim().strip_prefix("ACCU1:BIN = 2#")).collect();
+    let expected = [
+        "0000_0000_0000_0000_0000_0000_0000_0000",
+        "0101_1111_0110_0100_1010_1010_0101_1101",
+        "1111_0110_0100_1010_1010_0101_1101_0101",
+        "1111_1011_0010_0101_0101_0010_1110_1010",
+    ];
+    assert_eq!(bits, expected, "{}", run.stdout);
+    assert_eq!(run.stdout.matches("31   27   23   19   15   11   7    3").count(), 4, "{}", run.stdout);
+}

@@ -294,6 +294,9 @@ impl Kind {
         match (self, content) {
             (Self::Formatted(format, of), content) => Shown::Formatted(Box::new(format.show(of, content))),
             (Self::Typed(data_type @ DataType::WideString(_)), Content::Bytes(bytes)) => Shown::Wide(text_of(bytes, data_type)),
+            (Self::Typed(data_type @ DataType::Pointer), Content::Bytes(bytes)) => {
+                Shown::Twofold { plain: text_of(bytes, data_type), readable: Format::Pointer.show(self, content).text }
+            }
             (Self::Typed(data_type), Content::Bytes(bytes)) => Shown::Text(text_of(bytes, data_type)),
             (_, Content::Bytes(bytes)) => Shown::Text(shown::hex_of(bytes)),
             (Self::Typed(data_type), Content::Bits(bits)) => match number_letters(data_type) {

@@ -132,9 +132,7 @@ pub fn answer(session: &mut Session, answer: &Answer) -> String {
                 None => None,
             };
             text.push_str(&next.map_or_else(String::new, |next| format!("  {next}\n")));
-            for name in session.watched() {
-                text.push_str(&format!("  {} = {}\n", name.text(), session.value(name)));
-            }
+            text.extend(session.watched().iter().map(|name| value_text(session, name)));
             text
         }
         Answer::Text(text) => text.clone(),
