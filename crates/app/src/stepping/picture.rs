@@ -11,10 +11,12 @@ use sieben_model::format::Format;
 use sieben_model::literal::Value;
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::source::FileId;
+use sieben_model::types::DataType;
 use sieben_model::value::{Content, Kind};
 use sieben_model::visible::visible;
 use sieben_sim::history::Target;
 use sieben_sim::names::{Name, Setting, Shown};
+use sieben_workspace::names;
 use sieben_workspace::session::commands::{Answer, LINE_MAX, carry_out};
 use sieben_workspace::session::texts::pick;
 use sieben_workspace::session::{self, Language, LocalValue, Session, Variables, View, table};
@@ -454,7 +456,25 @@ fn register_bits(session: &mut Session) -> (String, Vec<String>) {
     if four {
         lines.extend([accumulator(3, registers.accu3), accumulator(4, registers.accu4)]);
     }
+    lines.extend(pointers(session));
     (pick(language, ["Registers, bit by bit", "Register, Bit für Bit"]).to_owned(), lines)
+}
+
+/// The parameters of the block that are a POINTER or an ANY, with their fields.
+fn pointers(session: &Session) -> Vec<String> {
+    let block = session.here();
+    let fields = |one: &LocalValue| {
+        let format = match one.name.kind() {
+            Kind::Typed(DataType::Pointer) => Format::Pointer,
+            Kind::Typed(DataType::Any) => Format::Any,
+            _ => return Vec::new(),
+        };
+        let Ok(name) = session.name_in(&format!("{}:{format}", one.name.text()), block) else { return Vec::new() };
+        let details = names::details(&name, session.cpu());
+        let first = format!("{} {}", one.name.text(), session.value(&name));
+        [first].into_iter().chain(details.into_iter().map(|line| format!("      {line}"))).map(|line| shown(&line)).collect()
+    };
+    session.locals().iter().filter(|of| of.data_block.is_none()).flat_map(|of| &of.values).flat_map(fields).collect()
 }
 
 /// A text in which nothing commands the terminal.

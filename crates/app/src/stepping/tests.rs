@@ -229,3 +229,16 @@ fn timers_counters_and_words_of_the_program_stand_below_its_bits() {
     let watched = shown(&watch, Language::English, (80, 30));
     assert!(watched.contains("│C0 = 0") && !watched.contains("│C 0 "), "{watched}");
 }
+
+#[test]
+fn pointers_are_shown_field_by_field_below_the_registers() {
+    let source = "FUNCTION FC 1 : VOID\nVAR_INPUT\n p : POINTER;\n a : ANY;\nEND_VAR\nBEGIN\nNOP 0\nEND_FUNCTION\n\
+        ORGANIZATION_BLOCK OB 1\nBEGIN\nCALL FC 1 (p := P#M 10.0, a := P#DB5.DBX 10.0 BYTE 20);\nEND_ORGANIZATION_BLOCK\n";
+    let mut project = sieben_workspace::project::Project::default();
+    project.add_source(Path::new("main.awl"), source.as_bytes());
+    let build = project.compile(Overrides::default(), false);
+    let text = shown_of(build, &[STEP, Command::RegisterBits], Language::English, (100, 50));
+    for line in ["#p P#M 10.0", "byte 2: area M (16#83)", "#a P#DB5.DBX 10.0 BYTE 20", "bytes 2 and 3: count 20"] {
+        assert!(text.contains(line), "`{line}` is missing in\n{text}");
+    }
+}

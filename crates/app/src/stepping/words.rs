@@ -70,7 +70,7 @@ pub(crate) const HELP: &[(&str, Text)] = &[
     ("⇥", ["between source and bits; ← → choose a bit", "zwischen Quelle und Bits; ← → wählen ein Bit"]),
     ("v", ["bits, or the variables of the block", "Bits oder die Variablen des Bausteins"]),
     ("d", ["the network as a diagram, as ladder, FBD or not", "das Netzwerk als Plan: KOP, FUP oder keiner"]),
-    ("x", ["accumulators and address registers bit by bit", "Akkumulatoren und Adressregister Bit für Bit"]),
+    ("x", ["registers bit by bit, POINTER and ANY field by field", "Register Bit für Bit, POINTER und ANY Feld für Feld"]),
     ("w p f", ["watch a value, print one, find who changed one", "Wert beobachten, zeigen, finden, wer ihn änderte"]),
     (":", ["any command of `sieben step --commands`", "jeder Befehl von `sieben step --commands`"]),
     ("l", ["German", "Englisch"]),
