@@ -493,13 +493,12 @@ fn constants_are_shown_by_their_names_and_cannot_be_set() {
     let source = "VAR_GLOBAL CONSTANT LIMIT : INT := 7; END_VAR\n\
         FUNCTION_BLOCK Lane\nVAR CONSTANT PLACES : INT := 50; END_VAR\nVAR n : INT; END_VAR\nn := n + PLACES;\nEND_FUNCTION_BLOCK\n\
         PROGRAM Main\nVAR CONSTANT DAY : DATE := D#2024-02-29; NAME : STRING[4] := 'abc'; FAST : BOOL := TRUE; RATE : REAL := 2.5; END_VAR\n\
-        VAR lane1 : Lane; d : DATE; END_VAR\nd := DAY;\nlane1();\nIF d > D#2024-01-01 THEN d := d; END_IF;\nEND_PROGRAM\n";
-    let commands =
-        "print DAY, NAME, FAST, RATE, LIMIT, Main.DAY, Lane.PLACES, DAY:BIN\nto Lane:1\nprint PLACES, #PLACES\nset PLACES=5\nstep\nscan\n";
+        VAR lane1 : Lane; d : DATE; ld : LDATE := LD#2024-02-29; END_VAR\nd := DAY;\nlane1();\nIF d > D#2024-01-01 THEN d := d; END_IF;\nEND_PROGRAM\n";
+    let commands = "print ld, DAY, NAME, FAST, RATE, LIMIT, Main.DAY, Lane.PLACES, DAY:BIN\nto Lane:1\nprint PLACES, #PLACES\nset PLACES=5\nstep\nscan\n";
     let folder = Folder::with(&[("main.st", source), ("steps.txt", commands)]);
     let run = folder.run(&["step", "main.st", "--commands", "steps.txt"]).code(2);
     for line in [
-        "  DAY = D#2024-02-29\n  NAME = 'abc'\n  FAST = 1\n  RATE = 2.5\n  LIMIT = 7\n  Main.DAY = D#2024-02-29\n  Lane.PLACES = 50\n",
+        "  ld = LD#2024-02-29\n  DAY = D#2024-02-29\n  NAME = 'abc'\n  FAST = 1\n  RATE = 2.5\n  LIMIT = 7\n  Main.DAY = D#2024-02-29\n  Lane.PLACES = 50\n",
         "  PLACES = 50\n  #PLACES = 50\n",
         "// n = 50\n",
     ] {

@@ -275,7 +275,7 @@ impl Session {
             }
             match self.history.run(Until { statements: STATEMENTS_MAX - passed, scans: 1 }, &mut watch) {
                 Halt::Watch => return Halt::Reached,
-                // Behind the last statement of a scan no other one is asked about.
+                // After the last statement of a scan no other one is asked about.
                 Halt::ScanEnd if watch.left == 0 => return Halt::Reached,
                 Halt::ScanEnd => {
                     let executed = self.history.position().statements - from;

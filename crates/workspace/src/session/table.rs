@@ -32,7 +32,7 @@ impl Columns {
     }
 }
 
-/// Columns of a statement of ST at least: behind it stand the variables.
+/// Columns of a statement of ST at least: after it stand the variables.
 const STATEMENT_WIDTH: usize = 44;
 
 /// The head of the columns of the block that runs first, or of the one where the run stands.

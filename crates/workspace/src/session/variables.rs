@@ -57,8 +57,11 @@ impl Session {
         let value = |(section, name, data_type): (Section, Name, DataType)| LocalValue {
             section,
             value: name.clone().readable().shown_in(machine, registers),
+            type_word: match data_type {
+                DataType::LongDate | DataType::LongDateAndTime => name.kind().type_word().unwrap_or_default(),
+                _ => data_type.to_string(),
+            },
             name,
-            type_word: data_type.to_string(),
         };
         let values = variables_of(block, self.cpu().program(), LOCALS_MAX).into_iter().map(value).collect();
         Variables { block, data_block: None, values }
