@@ -8,7 +8,7 @@ use sieben_engine::{FaultPlace, StatementEvent};
 use sieben_ide::drawing::flow::{Executed, Status};
 use sieben_model::block::BlockId;
 use sieben_model::symbols::SymbolTable;
-use sieben_sim::names::Name;
+use sieben_sim::names::{Kind, Name, Scope};
 use sieben_workspace::names;
 
 use super::Written;
@@ -73,7 +73,7 @@ impl Watch {
                 let seen = match statement.mnemonic {
                     "A" | "AN" | "O" | "ON" | "X" | "XN" => Some(u8::from(after.sta != 0).to_string()),
                     "=" => Some(u8::from(after.rlo != 0).to_string()),
-                    "L" | "T" if is_local => Some((after.accu1 as u32 as i32).to_string()),
+                    "L" | "T" if is_local => Some(self.local(&statement.operand, after.accu1, cpu, symbols)),
                     _ => None,
                 };
                 let value = value_now(&statement.operand, cpu, symbols).or(seen);
@@ -88,6 +88,18 @@ impl Watch {
         });
         Status { statements: statements.collect() }
     }
+
+    /// What ACCU 1 has of a variable of the block, in the notation of its type.
+    fn local(&self, operand: &str, accu1: u64, cpu: &Cpu, symbols: &SymbolTable) -> String {
+        let scope = Scope { block: self.block, bare: false };
+        let name = Name::parse_in(operand, Some(scope), symbols, cpu.program()).ok().map(Name::readable);
+        // A parameter that names a timer or a counter holds its number, not what was loaded.
+        let is_number = |kind: &Kind| matches!(kind, Kind::Number) || matches!(kind, Kind::Typed(data_type) if data_type.is_number());
+        match name.filter(|name| matches!(name.kind().width(), 8 | 16 | 32) && !is_number(name.kind())) {
+            Some(name) => name.show_bits(accu1 & (u64::MAX >> (64 - name.kind().width()))).readable(),
+            None => (accu1 as u32 as i32).to_string(),
+        }
+    }
 }
 
 /// The value of an address or symbol at this moment.
@@ -98,5 +110,5 @@ fn value_now(operand: &str, cpu: &Cpu, symbols: &SymbolTable) -> Option<String> 
     }
     let name = Name::parse(operand, symbols, cpu.program()).ok()?;
     name.read(cpu).ok()?;
-    Some(names::text(&name, cpu))
+    Some(names::readable(&name, cpu))
 }

@@ -44,6 +44,17 @@ impl Language {
     }
 }
 
+/// A variable that a statement names.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Named {
+    /// As it is written: `list[i]`.
+    pub name: String,
+    /// The plain number or truth value that it holds after the statement; `None` for what is no single value.
+    pub value: Option<String>,
+    /// The block that the statement calls with it as its instance.
+    pub instance_of: Option<BlockId>,
+}
+
 /// One executed statement, with the machine around it.
 #[derive(Clone, Copy, Debug)]
 pub struct Moment<'a> {

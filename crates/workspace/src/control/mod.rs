@@ -85,7 +85,7 @@ fn unknown(error: &NameError) -> Refusal {
 }
 
 fn unfit(error: &NameError) -> Refusal {
-    Refusal::new(Problem::P7004, error.to_string())
+    Refusal::new(crate::names::problem_of_value(error), error.to_string())
 }
 
 /// Something changed while it was asked for.
@@ -264,7 +264,8 @@ impl Control {
     fn read(&mut self, gate: &Gate, names: &[String]) -> Result<Values, Refusal> {
         let mean = |this: &mut Self| {
             let meant = this.named(names).map_err(Err)?;
-            let items: Vec<Item> = meant.iter().filter_map(|(_, name)| Some(name.as_ref().ok()?.item().clone())).collect();
+            // To people a timer is the time that it has left.
+            let items: Vec<Item> = meant.iter().filter_map(|(_, name)| Some(name.as_ref().ok()?.item().clone().readable())).collect();
             Ok((meant, items))
         };
         let read =

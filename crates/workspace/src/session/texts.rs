@@ -36,6 +36,10 @@ pub(crate) const HEAD: Text = [
     "      pos  scan  place           RLO STA /FC OR CC OV OS BR  ACCU1        ACCU2        statement\n",
     "      Pos  Zykl  Stelle          VKE STA /ER OR A  OV OS BIE AKKU1        AKKU2        Anweisung\n",
 ];
+pub(crate) const HEAD_OF_VARIABLES: Text = [
+    "      pos  scan  place           statement                                     // variables after it\n",
+    "      Pos  Zykl  Stelle          Anweisung                                     // Variablen danach\n",
+];
 pub(crate) const RUN_BEGINS: Text = ["the run begins", "der Lauf beginnt"];
 pub(crate) const NEXT: Text = ["next: {0}:{1}: {2}", "weiter mit: {0}:{1}: {2}"];
 pub(crate) const NEXT_SCAN: Text = ["next: scan {0} begins", "weiter mit: Zyklus {0} beginnt"];
@@ -126,8 +130,13 @@ pub(crate) const REGISTER_WRITTEN: Text = [
     "`{0}` is a register, which nearly every statement writes; `watch {0}` waits for a change",
     "`{0}` ist ein Register, das fast jede Anweisung schreibt; `watch {0}` wartet auf eine Änderung",
 ];
-/// Between two scans there are no variables of blocks.
-pub const NO_BLOCK_RUNS: Text = ["no block runs: the CPU is between two scans", "es läuft kein Baustein: Die CPU ist zwischen zwei Zyklen"];
+pub(crate) const NO_BLOCK_RUNS: Text =
+    ["no block runs: the CPU is between two scans", "es läuft kein Baustein: Die CPU ist zwischen zwei Zyklen"];
+/// Between two scans there are only variables that an instance keeps.
+pub const NOTHING_KEPT: Text = [
+    "no block runs, and the program keeps no variables between two scans",
+    "es läuft kein Baustein, und zwischen zwei Zyklen behält das Programm keine Variablen",
+];
 pub(crate) const NO_VARIABLES: Text = ["{0} has no variables of its own", "{0} hat keine eigenen Variablen"];
 /// The heading of the variables of a block.
 pub const VARIABLES_OF: Text = ["variables of {0}", "Variablen von {0}"];
