@@ -96,7 +96,11 @@ pub(super) fn of_memory(
                     Moment { machine, registers: &machine.registers }.content(&item).map(|content| item.kind.show(&content).readable());
                 format!("{} ({state}, {})", left.unwrap_or_default(), u8::from(timer.status))
             };
-            changes.push(Change { name: Operand::Timer(number).spell(mnemonics), before: shown(before, old), after: shown(after, new) });
+            let (before, after) = (shown(before, old), shown(after, new));
+            // Of a timer that has run out, only what it remembers may be new.
+            if before != after {
+                changes.push(Change { name: Operand::Timer(number).spell(mnemonics), before, after });
+            }
         }
     }
     for (number, (old, new)) in (0_u16..).zip(before.counters.iter().zip(&after.counters)) {
