@@ -19,7 +19,7 @@ use crate::project;
 fn build() -> Build {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/dosing");
     let paths: Vec<PathBuf> = ["dosing.awl", "symbols.csv"].iter().map(|name| root.join(name)).collect();
-    let project = project::load(&paths, None).unwrap_or_else(|failure| panic!("{}", failure.render(false)));
+    let project = project::load(&paths, None).unwrap_or_else(|failure| panic!("{}", failure.render(false, Language::English)));
     project.compile(Overrides::default(), false)
 }
 
