@@ -14,6 +14,7 @@ mod files;
 mod fixing;
 mod folder;
 mod glob;
+mod help;
 mod instances;
 mod language;
 mod linking;
@@ -150,7 +151,7 @@ fn run(mut line: CommandLine) -> Exit {
     let result = match line.verb {
         None if terminal::shows_results() => commands::demo::run(&commands::demo::Arguments::default()),
         None => {
-            output::print(&CommandLine::command().render_help().to_string()).map(|()| Exit::Success)
+            output::print(&help::in_language(CommandLine::command(), language::spoken()).render_help().to_string()).map(|()| Exit::Success)
         }
         Some(Verb::Demo(arguments)) => commands::demo::run(&arguments),
         Some(Verb::Run(arguments)) => commands::run::run(arguments),
@@ -213,13 +214,13 @@ fn wrong_command_line(error: &clap::Error) {
 /// The command line, or the exit code after its help or its mistake was printed.
 fn command_line() -> Result<CommandLine, Exit> {
     let language = language::before_parsing(std::env::args_os().skip(1));
-    let matches = CommandLine::command().try_get_matches();
+    let matches = help::in_language(CommandLine::command(), language).try_get_matches();
     matches.and_then(|matches| CommandLine::from_arg_matches(&matches)).map_err(|error| {
         if error.use_stderr() && wants_json() {
             wrong_command_line(&error);
             return Exit::Usage;
         }
-        let printed = print_about_the_line(&error);
+        let printed = print_about_the_line(&error, language);
         if let Some(hint) = hint(&error, language) {
             output::message(&hint);
         }
@@ -237,10 +238,15 @@ fn command_line() -> Result<CommandLine, Exit> {
 }
 
 /// Prints help, version, or what is wrong with the command line, which may hold the name of a file that a pattern of the shell found.
-fn print_about_the_line(error: &clap::Error) -> Result<(), Failure> {
+fn print_about_the_line(error: &clap::Error, language: Language) -> Result<(), Failure> {
     let plain = error.render().to_string();
     if visible::hidden(&plain).next().is_some() {
-        output::message(&plain);
+        output::message(&help::error_in(language, &plain));
+        return Ok(());
+    }
+    if language != Language::English && error.use_stderr() {
+        let text = if output::colour() { error.render().ansi().to_string() } else { plain };
+        output::styled(&help::error_in(language, &text));
         return Ok(());
     }
     output::printed(error.print().and_then(|()| std::io::stdout().flush()))

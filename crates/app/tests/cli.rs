@@ -1054,9 +1054,11 @@ fn what_programs_read_stays_english() {
 }
 
 #[test]
-fn explanations_are_german() {
+fn help_and_explanations_are_german() {
     let folder = jump_to_nowhere();
     let run = |arguments: &[&str]| folder.run(arguments);
+    run(&["run", "--help", "--lang", "de"]).code(0).stdout("Aufruf: sieben run [OPTIONEN] [PFAD]...").stdout("Exitcodes: 0 in Ordnung");
+    run(&["--lang=de", "help", "exec"]).code(0).stdout("Optionen:");
     let title = "P3004 (Fehler): ein Sprung zu einer Marke, die es nicht gibt";
     for arguments in [&["explain", "P3004", "--lang", "de"][..], &["explain", "--lang=de", "P3004"], &["--lang", "de", "explain", "P3004"]]
     {
