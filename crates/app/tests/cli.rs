@@ -1068,3 +1068,19 @@ fn help_and_explanations_are_german() {
     run(&["check", "nowhere.awl", "--lang", "de"]).code(2).stderr("[P6001] Fehler: eine Datei, die nicht gelesen werden kann: ");
     run(&["check", "--lang", "nl"]).code(2).stderr("`nl` is no language of Sieben; there are en and de");
 }
+
+#[test]
+fn headings_of_tables_are_german_and_their_json_is_not() {
+    let folder = Folder::with(&[("lamp.awl", "      A     I 0.0\n      =     Q 4.0\n")]);
+    let verbs = [
+        ("refs", "Adresse  Symbol", "Querverweisliste"),
+        ("structure", "Baustein  Symbol  Aufruf", "Programmstruktur"),
+        ("assignments", "Eingänge", "Belegungsplan"),
+    ];
+    for (verb, heading, title) in verbs {
+        folder.run(&[verb, "lamp.awl", "--lang", "de"]).code(0).stdout(heading);
+        folder.run(&[verb, "lamp.awl", "--html", "--lang", "de"]).code(0).stdout("<html lang=\"de\">").stdout(title);
+        let json = |language| folder.run(&[verb, "lamp.awl", "--json", "--lang", language]).code(0).stdout;
+        assert_eq!(json("de"), json("en"));
+    }
+}

@@ -210,7 +210,11 @@ fn document(places: &Places<'_>, shown: &[Entry<'_>], overlaps: bool) -> Documen
             rows.push(row);
         }
     }
-    Document { title: "Cross reference".to_owned(), sections: vec![Section { headings, rows, ..Section::default() }] }
+    Document {
+        title: "Cross reference".to_owned(),
+        sections: vec![Section { headings, rows, ..Section::default() }],
+        ..Document::default()
+    }
 }
 
 /// The address; `*` marks what is computed at run time.
@@ -259,6 +263,7 @@ fn unused_document(places: &Places<'_>, unused: &Unused) -> Document {
             section("Symbols that no statement uses", vec!["Symbol", "Address", "In use with other widths", "Comment"], symbols.collect()),
             section("Addresses without a symbol", vec!["Address", "Uses", "First in", "Line"], addresses.collect()),
         ],
+        ..Document::default()
     }
 }
 
