@@ -38,7 +38,12 @@ fn terminal() -> (OwnedFd, OwnedFd) {
 fn start(folder: &Folder, arguments: &[&str], inside: OwnedFd) -> Child {
     let stdio = || Stdio::from(File::from(inside.try_clone().expect("one more handle")));
     let mut command = Command::new(env!("CARGO_BIN_EXE_sieben"));
-    command.args(arguments).current_dir(folder.path()).env("TERM", "xterm-256color").env("XDG_RUNTIME_DIR", folder.path());
+    command
+        .args(arguments)
+        .current_dir(folder.path())
+        .env("TERM", "xterm-256color")
+        .env("LC_ALL", "C")
+        .env("XDG_RUNTIME_DIR", folder.path());
     command.stdin(stdio()).stdout(stdio()).stderr(stdio()).spawn().expect("sieben runs")
 }
 

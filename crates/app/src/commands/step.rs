@@ -17,14 +17,14 @@ use sieben_workspace::project::Build;
 use sieben_workspace::schedule;
 use sieben_workspace::session::commands::{Answer, LINE_MAX, carry_out};
 use sieben_workspace::session::recording::Unusable;
-use sieben_workspace::session::{Language, Session, recording, table};
+use sieben_workspace::session::{Session, recording, table};
 
 use crate::arguments::{FaultArguments, ProgramArguments};
 use crate::duration::cycle_argument;
 use crate::failure::{Exit, Failure};
 use crate::schedule::ChangeArguments;
 use crate::stepping::words::refused;
-use crate::{files, output, paths, stepping, terminal};
+use crate::{files, language, output, paths, stepping, terminal};
 
 /// Step through a program, one statement at a time, forwards and back.
 #[derive(Args)]
@@ -66,13 +66,6 @@ pub(crate) struct Arguments {
     /// Print one JSON object per command
     #[arg(long)]
     json: bool,
-    /// Language of answers and reasons, en or de
-    #[arg(long, value_name = "LANGUAGE", default_value = "en", value_parser = language_argument)]
-    lang: Language,
-}
-
-fn language_argument(text: &str) -> Result<Language, String> {
-    Language::from_code(text).ok_or_else(|| format!("`{text}` is no language of the microscope; there are en and de"))
 }
 
 /// Reads and carries out commands.
@@ -96,7 +89,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         Some(path) => replay(path, build, cpu, plan)?,
         None => Session::new(build, cpu, plan),
     };
-    session.language = arguments.lang;
+    session.language = if arguments.json { language::for_programs() } else { language::spoken() };
     let exit = if arguments.commands.is_none() && !arguments.json && terminal::has_screen() {
         on_screen(&mut session)?
     } else {

@@ -23,7 +23,7 @@ fn build() -> Build {
 fn of_example(name: &str, files: &[&str]) -> Build {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples").join(name);
     let paths: Vec<PathBuf> = files.iter().map(|name| root.join(name)).collect();
-    let project = project::load(&paths, None).unwrap_or_else(|failure| panic!("{}", failure.render(false)));
+    let project = project::load(&paths, None).unwrap_or_else(|failure| panic!("{}", failure.render(false, Language::English)));
     project.compile(Overrides::default(), false)
 }
 

@@ -23,28 +23,9 @@ pub(crate) fn halt(halt: &Halt, language: Language) -> &'static str {
 
 /// A command that could not be carried out, as people read it.
 pub(crate) fn refused(refusal: &Refusal, colour: bool, language: Language) -> String {
-    let german = HELP_GERMAN.iter().find(|(code, _)| *code == refusal.problem.code());
-    let help = match language {
-        Language::German => german.map_or(refusal.problem.help(), |(_, help)| help),
-        Language::English => refusal.problem.help(),
-    };
-    failure::render(refusal, colour, pick(language, ERROR), pick(language, HELP_WORD), help)
+    // The messages of the microscope are in its language already.
+    failure::render(refusal, &refusal.message, colour, language)
 }
-
-const ERROR: Text = ["Error", "Fehler"];
-const HELP_WORD: Text = ["Help", "Hilfe"];
-
-/// What to do about a problem, in German; in English the table of problems says it.
-const HELP_GERMAN: [(&str, &str); 8] = [
-    ("P7003", "Eine Adresse, ein Symbol, `DB1.name`, `#name` oder ein Register angeben."),
-    ("P7004", "Einen Wert angeben, der zu dem Namen passt: `I0.0=1`, `MW10=W#16#00FF`."),
-    ("P7040", "`help` zeigt die Befehle."),
-    ("P7041", "So geht es: `FC 1:3` (die dritte Anweisung), `FC 1:marke` oder `main.awl:12` (eine Zeile)."),
-    ("P7113", "In der Quelle ändern und neu übersetzen, oder als Variable deklarieren."),
-    ("P7125", "Nach dem Doppelpunkt steht ein Format: `MW10:INT`; `sieben explain formats` zeigt alle."),
-    ("P7126", "Ein Format für so viele Bits wählen, wie der Wert hat; `sieben explain formats` zeigt alle."),
-    ("P7042", "Ein Name, eines von =, <>, >, >=, <, <= und ein Wert: `MW10 > 5`."),
-];
 
 /// The line of keys, shortened to what is used most.
 pub(crate) const KEYS: [(&str, Text); 8] = [

@@ -2,33 +2,7 @@
 //!
 //! A text with `{0}`, `{1}` has values put there by [`fill`]. The reasons of statements are a table of their own, in `lang::reason`.
 
-use super::Language;
-
-/// A text in both languages.
-pub type Text = [&'static str; 2];
-
-/// One of two texts.
-pub fn pick(language: Language, [english, german]: Text) -> &'static str {
-    match language {
-        Language::English => english,
-        Language::German => german,
-    }
-}
-
-/// A text with values in their places.
-pub fn fill(language: Language, text: Text, values: &[&dyn std::fmt::Display]) -> String {
-    let mut out = String::new();
-    let mut rest = pick(language, text);
-    while let Some((before, behind)) = rest.split_once('{') {
-        out.push_str(before);
-        let (index, behind) = behind.split_once('}').unwrap_or((behind, ""));
-        if let Some(value) = index.parse::<usize>().ok().and_then(|index| values.get(index)) {
-            out.push_str(&value.to_string());
-        }
-        rest = behind;
-    }
-    out + rest
-}
+pub use sieben_model::language::{Text, fill, pick};
 
 // The table of statements.
 
@@ -161,16 +135,3 @@ pub(crate) const NO_STATEMENT_FROM: Text = [
     "no statement stands in `{0}` from line {1} on; the last one is in line {2}",
     "in `{0}` steht ab Zeile {1} keine Anweisung mehr; die letzte steht in Zeile {2}",
 ];
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn values_stand_where_the_text_of_each_language_wants_them() {
-        let text = ["{0} of {1}", "von {1} die {0}"];
-        assert_eq!(fill(Language::English, text, &[&1, &"two"]), "1 of two");
-        assert_eq!(fill(Language::German, text, &[&1, &"two"]), "von two die 1");
-        assert_eq!(fill(Language::English, ["a { b", ""], &[]), "a ");
-    }
-}
