@@ -551,8 +551,8 @@ pub(super) const BELOW: &[Row] = &[
     ("on", "vorwärts"),
     ("the same steps back", "dieselben Schritte zurück"),
     (
-        "Time is virtual, as with `exec`. The columns are the registers after the statement of the row; below it stands why, and what it changed.",
-        "Die Zeit ist virtuell, wie bei `exec`. Die Spalten sind die Register nach der Anweisung der Zeile; darunter steht, warum, und was sie änderte.",
+        "Time is virtual, as with `exec`. The columns are the registers after the statement of the row, in ST and SCL the variables that it names; below it stands why, and what it changed.",
+        "Die Zeit ist virtuell, wie bei `exec`. Die Spalten sind die Register nach der Anweisung der Zeile, in ST und SCL die Variablen, die sie nennt; darunter steht, warum, und was sie änderte.",
     ),
     (
         "Exit codes: 0 ok, 2 usage or a wrong command, 3 does not compile, 4 the CPU is in STOP.",
