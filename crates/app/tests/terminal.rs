@@ -1,4 +1,4 @@
-//! The screens on a terminal that goes away: whoever draws on it ends, even if no signal says so.
+//! The screens on a terminal: what keys do there, and that a program that draws on it ends with it, even if no signal says so.
 #![cfg(unix)]
 
 mod command;
@@ -36,9 +36,17 @@ fn terminal() -> (OwnedFd, OwnedFd) {
 }
 
 fn start(folder: &Folder, arguments: &[&str], inside: OwnedFd) -> Child {
+    start_as(folder, arguments, inside, "xterm-256color")
+}
+
+/// The same on a terminal that calls itself something else; an empty name is none.
+fn start_as(folder: &Folder, arguments: &[&str], inside: OwnedFd, term: &str) -> Child {
     let stdio = || Stdio::from(File::from(inside.try_clone().expect("one more handle")));
     let mut command = Command::new(env!("CARGO_BIN_EXE_sieben"));
-    command.args(arguments).current_dir(folder.path()).env("TERM", "xterm-256color").env("XDG_RUNTIME_DIR", folder.path());
+    command.args(arguments).current_dir(folder.path()).env("TERM", term).env("XDG_RUNTIME_DIR", folder.path());
+    if term.is_empty() {
+        command.env_remove("TERM");
+    }
     command.stdin(stdio()).stdout(stdio()).stderr(stdio()).spawn().expect("sieben runs")
 }
 
@@ -153,6 +161,14 @@ impl Window {
         self.file.write_all(keys.as_bytes()).expect("the terminal takes keys");
     }
 
+    /// All that was printed, to the end.
+    fn printed(mut self) -> String {
+        while let Ok(more) = self.drawn.recv_timeout(DEADLINE) {
+            self.seen.push_str(&more);
+        }
+        self.seen
+    }
+
     /// What was drawn, and what was printed after the terminal was given back.
     fn left(mut self) -> (String, String) {
         while let Ok(more) = self.drawn.recv_timeout(DEADLINE) {
@@ -170,12 +186,21 @@ fn top_ends_with_the_run_and_gives_the_terminal_back() {
     let (window, inside) = terminal();
     let top = start(&folder, &["top"], inside);
     let mut window = Window::of(window);
-    window.shows("Diagnostic");
+    window.shows("Inputs");
     interrupt(&run);
     assert_eq!(end(run).code(), Some(0));
     assert_eq!(end(top).code(), Some(0));
     let (screen, after) = window.left();
     assert!(screen.contains("lamp") && after.contains("The run is over."), "{screen:?} {after:?}");
+}
+
+/// Asks a run at its socket.
+fn asked(socket: &std::path::Path, request: &str) -> String {
+    let mut stream = UnixStream::connect(socket).expect("the run answers");
+    writeln!(stream, "{request}").expect("the run reads");
+    let mut answer = String::new();
+    BufReader::new(stream).read_line(&mut answer).expect("the run answers");
+    answer
 }
 
 /// Asks the demo whose socket lies in a folder.
@@ -201,11 +226,12 @@ fn the_demo_shows_what_its_keys_and_others_do() {
     let demo = start(&folder, &["demo"], inside);
     let mut window = Window::of(window);
     window.shows("DISPLAY");
-    window.press("s");
-    window.shows("dosing …");
+    // START is the first input of the screen: the plant doses.
+    window.press("1");
+    window.press("\t\t");
+    window.shows("VALVE");
     ask(&folder, r#"{"verb":"mode","mode":"stop"}"#);
-    window.shows("STOP:");
-    window.press("m");
+    window.press("r");
     window.press("p");
     window.shows("paused");
     let scans = |answer: &str| answer.split("\"scans\":").nth(1).and_then(|rest| rest.split(',').next()?.parse::<u64>().ok());
@@ -232,6 +258,8 @@ fn the_demo_shows_what_its_keys_and_others_do() {
     let (second_window, inside) = terminal();
     let second = start(&folder, &["demo", "--for", "1s"], inside);
     let mut second_window = Window::of(second_window);
+    second_window.shows("STOP");
+    second_window.press("\t\t");
     second_window.shows("another");
     assert_eq!(end(second).code(), Some(0));
     let (_, after) = second_window.left();
@@ -240,6 +268,18 @@ fn the_demo_shows_what_its_keys_and_others_do() {
     assert_eq!(end(demo).code(), Some(0));
     let (_, after) = window.left();
     assert!(after.contains("of the plant,") && !after.contains("our mistake"), "{after:?}");
+}
+
+#[test]
+fn the_demo_without_a_terminal_that_can_be_drawn_on_prints_lines() {
+    let folder = folder();
+    for term in ["dumb", ""] {
+        let (window, inside) = terminal();
+        let demo = start_as(&folder, &["demo", "--for", "4s", "--speed", "max"], inside, term);
+        assert_eq!(end(demo).code(), Some(0));
+        let printed = Window::of(window).printed();
+        assert!(printed.contains("Dosing valve") && !printed.contains("\u{1b}[?1049h"), "{term:?} {printed:?}");
+    }
 }
 
 #[test]
@@ -252,4 +292,90 @@ fn a_signal_ends_the_demo_and_gives_the_terminal_back() {
     interrupt(&demo);
     assert_eq!(end(demo).code(), Some(0));
     assert!(window.left().1.contains("of the plant,"));
+}
+
+#[test]
+fn a_run_has_the_screen_and_its_report_comes_after_it() {
+    let folder = folder();
+    for (keys, code) in [("q", 0), ("\u{3}", 0), ("\u{1b}", 0)] {
+        let (window, inside) = terminal();
+        let run = start(&folder, &["run", "."], inside);
+        let mut window = Window::of(window);
+        window.shows("Inputs");
+        window.press("1");
+        let is_on = || asked(&folder.path().join(".sieben/control.sock"), r#"{"verb":"read","items":["Q4.0"]}"#).contains(r#""value":1"#);
+        let until = Instant::now() + DEADLINE;
+        while !is_on() {
+            assert!(Instant::now() < until, "the key 1 switches I 0.0");
+            std::thread::sleep(Duration::from_millis(20));
+        }
+        window.press(keys);
+        assert_eq!(end(run).code(), Some(code), "{keys:?}");
+        let (screen, after) = window.left();
+        assert!(screen.contains("lamp") && after.contains("RUN: stopped by Ctrl-C after"), "{screen:?} {after:?}");
+    }
+}
+
+#[test]
+fn a_run_that_ends_by_itself_closes_its_screen() {
+    let folder = folder();
+    let (window, inside) = terminal();
+    let run = start(&folder, &["run", "--for", "1s"], inside);
+    assert_eq!(end(run).code(), Some(0));
+    let (_, after) = Window::of(window).left();
+    assert!(after.contains("RUN: ran for 1 s"), "{after:?}");
+    // FC 99 is missing: the CPU goes to STOP.
+    let stops = Folder::with(&[("main.awl", "ORGANIZATION_BLOCK OB 1\nBEGIN\nCALL SFC 46;\nEND_ORGANIZATION_BLOCK\n")]);
+    let (window, inside) = terminal();
+    let run = start(&stops, &["run", "main.awl"], inside);
+    assert_eq!(end(run).code(), Some(4));
+    let (_, after) = Window::of(window).left();
+    assert!(after.contains("The CPU went to STOP"), "{after:?}");
+}
+
+#[test]
+fn a_run_ends_with_its_terminal_and_at_every_signal() {
+    ends_with_its_terminal(&folder(), &["run"]);
+    for signal in [rustix::process::Signal::INT, rustix::process::Signal::TERM, rustix::process::Signal::HUP] {
+        let folder = folder();
+        let (window, inside) = terminal();
+        let run = start(&folder, &["run"], inside);
+        let mut window = Window::of(window);
+        window.shows("Inputs");
+        let _ = rustix::process::kill_process(rustix::process::Pid::from_child(&run), signal);
+        assert_eq!(end(run).code(), Some(0), "{signal:?}");
+        assert!(window.left().1.contains("RUN: stopped"));
+    }
+}
+
+#[test]
+fn a_terminal_that_changes_its_size_is_drawn_anew() {
+    let folder = folder();
+    let (window, inside) = terminal();
+    let resize = window.try_clone().expect("one more handle");
+    let size = |columns, rows| {
+        let size = Winsize { ws_row: rows, ws_col: columns, ws_xpixel: 0, ws_ypixel: 0 };
+        tcsetwinsize(&resize, size).expect("it has a size");
+    };
+    size(40, 10);
+    let run = start(&folder, &["run"], inside);
+    let mut window = Window::of(window);
+    window.shows("needs");
+    size(200, 50);
+    window.press("?");
+    window.shows("Inputs");
+    size(1, 1);
+    window.press("\u{1b}");
+    window.press("q");
+    assert_eq!(end(run).code(), Some(0));
+}
+
+#[test]
+fn without_a_screen_a_run_prints_lines_where_it_is_asked_to() {
+    let folder = folder();
+    let (window, inside) = terminal();
+    let run = start(&folder, &["run", "--plain", "--for", "1s"], inside);
+    assert_eq!(end(run).code(), Some(0));
+    let printed = Window::of(window).printed();
+    assert!(printed.contains("ran for 1 s") && !printed.contains("\u{1b}[?1049h"), "{printed:?}");
 }
