@@ -88,7 +88,13 @@ impl Watch {
         };
         // Nobody waits for the thread: it ends with the process, or when the run no longer listens.
         let _ = std::thread::Builder::new().name("watch".to_owned()).spawn(move || looking.look(stamps, &sender));
-        Ok(Self { found, answers: (losses == Losses::Asked && std::io::stdin().is_terminal()).then(lines), accept_losses: losses == Losses::Accepted, pending: None, changes: 0 })
+        Ok(Self {
+            found,
+            answers: (losses == Losses::Asked && std::io::stdin().is_terminal()).then(lines),
+            accept_losses: losses == Losses::Accepted,
+            pending: None,
+            changes: 0,
+        })
     }
 
     /// Between two scans: takes over what is ready. `build` is that of the running program.

@@ -289,7 +289,10 @@ fn what_the_screen_asks_for_is_there_for_everyone() {
 
     let plants = client.ask(json!({ "verb": "plants" }));
     let tank = &plants["plants"][0];
-    assert_eq!((&tank["module"], &tank["kind"], &tank["input"], &tank["output"]), (&json!("tank"), &json!("tank"), &json!(256), &json!(256)));
+    assert_eq!(
+        (&tank["module"], &tank["kind"], &tank["input"], &tank["output"]),
+        (&json!("tank"), &json!("tank"), &json!(256), &json!(256))
+    );
     assert_eq!((tank["inputs"].as_str().map(str::len), tank["outputs"].as_str().map(str::len)), (Some(8), Some(8)), "{tank}");
     let signals = tank["signals"].as_array().expect("signals");
     assert!(signals.iter().any(|signal| signal["address"] == "I 256.0" && signal["direction"] == "sensor"), "{tank}");

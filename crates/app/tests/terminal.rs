@@ -251,9 +251,11 @@ fn the_demo_shows_what_its_keys_and_others_do() {
     while scans(&state(&folder)) != scans(&before).map(|scans| scans + 2) {
         assert!(Instant::now() < until, "two scans more: {before} {}", state(&folder));
     }
-    ask(&folder, r#"{"verb":"time","time":"speed","speed":"50x"}"#);
     ask(&folder, r#"{"verb":"time","time":"go"}"#);
-    window.shows("50×");
+    window.shows("pause");
+    ask(&folder, r#"{"verb":"time","time":"speed","speed":"50x"}"#);
+    // What stays of the header is not drawn again.
+    window.shows("m50");
     // A second one has no socket: it says so where there is room, and draws.
     let (second_window, inside) = terminal();
     let second = start(&folder, &["demo", "--for", "1s"], inside);
@@ -323,7 +325,7 @@ fn a_run_that_ends_by_itself_closes_its_screen() {
     let run = start(&folder, &["run", "--for", "1s"], inside);
     assert_eq!(end(run).code(), Some(0));
     let (_, after) = Window::of(window).left();
-    assert!(after.contains("RUN: ran for 1 s"), "{after:?}");
+    assert!(after.contains("RUN: ran for 1.0 s"), "{after:?}");
     // FC 99 is missing: the CPU goes to STOP.
     let stops = Folder::with(&[("main.awl", "ORGANIZATION_BLOCK OB 1\nBEGIN\nCALL SFC 46;\nEND_ORGANIZATION_BLOCK\n")]);
     let (window, inside) = terminal();
@@ -365,8 +367,7 @@ fn a_terminal_that_changes_its_size_is_drawn_anew() {
     window.press("?");
     window.shows("Inputs");
     size(1, 1);
-    window.press("\u{1b}");
-    window.press("q");
+    window.press("qq");
     assert_eq!(end(run).code(), Some(0));
 }
 
@@ -377,5 +378,5 @@ fn without_a_screen_a_run_prints_lines_where_it_is_asked_to() {
     let run = start(&folder, &["run", "--plain", "--for", "1s"], inside);
     assert_eq!(end(run).code(), Some(0));
     let printed = Window::of(window).printed();
-    assert!(printed.contains("ran for 1 s") && !printed.contains("\u{1b}[?1049h"), "{printed:?}");
+    assert!(printed.contains("ran for 1.0 s") && !printed.contains("\u{1b}[?1049h"), "{printed:?}");
 }

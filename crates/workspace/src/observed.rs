@@ -214,10 +214,12 @@ impl Observed {
 
     /// Values are compared from now on, for a while. `watched` are those of the program with these facts.
     pub fn look(&self, version: u64, watched: impl FnOnce() -> Vec<Watched>, real_us: u64) {
-        let mut entries = self.entries();
-        if entries.version != Some(version) {
+        if self.entries().version != Some(version) {
+            // A scan may stand at the lock: what takes its time is done before.
+            let observer = Observer::new(watched());
+            let mut entries = self.entries();
             entries.version = Some(version);
-            entries.observer = Observer::new(watched());
+            entries.observer = observer;
         }
         let before = self.until_us.swap(real_us.saturating_add(LOOK_US), Ordering::AcqRel);
         if before <= real_us {

@@ -244,7 +244,8 @@ pub(crate) fn run_as(verb: Verb, mut arguments: RunArguments) -> Result<Exit, Fa
             let (desk, ending) = (&desk, &ending);
             // It is enough that one thread replays: with a control socket there is one already.
             let is_over = &is_over;
-            let _ = thread::Builder::new().name("status".to_owned()).spawn_scoped(scope, || desk.replay(|| is_over.load(Ordering::Relaxed)));
+            let _ =
+                thread::Builder::new().name("status".to_owned()).spawn_scoped(scope, || desk.replay(|| is_over.load(Ordering::Relaxed)));
             thread::Builder::new().name("screen".to_owned()).spawn_scoped(scope, move || show(asks, desk, ending, &over))
         });
         Driver::new(&gate, &desk, &mut around).run(arguments.retain.restart);

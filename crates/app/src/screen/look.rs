@@ -242,7 +242,7 @@ fn seen(statement: &Value) -> Option<(u64, Seen)> {
     let after = &statement["after"];
     let hex = |word: &Value| u32::from_str_radix(word.as_str()?.strip_prefix("16#")?, 16).ok();
     let seen = Seen {
-        sta: after["stw"].as_str().and_then(|text| text.bytes().nth(STA)) == Some(b'1'),
+        sta: after["stw"].as_str().and_then(|text| text.as_bytes().get(STA)) == Some(&b'1'),
         rlo: after["rlo"].as_u64().is_some_and(|rlo| rlo != 0),
         accu1: hex(&after["accu1"]).unwrap_or_default(),
         value: statement["shown"].as_str().map(str::to_owned),

@@ -98,7 +98,7 @@ impl Row {
     /// The formats that it can be shown in.
     pub(crate) fn formats(&self) -> Vec<Format> {
         let Some(operand) = &self.operand else { return Vec::new() };
-        let fits = |format: &Format| Item::operand(operand.clone()).in_format(*format).is_ok();
+        let fits = |format: &Format| Item::operand(*operand).in_format(*format).is_ok();
         ROWS.iter().map(|row| row.format).filter(fits).collect()
     }
 

@@ -388,8 +388,13 @@ impl Screen {
         // The mended ones come first, and the signal that is chosen.
         rows.sort_by_key(|(fault, _)| !fault.starts_with(MENDS));
         let chosen = look.rows.get(self.row).map(|row| row.address.clone()).filter(|address| !address.is_empty());
-        let of_chosen = |shown: &str| chosen.as_ref().is_some_and(|address| shown.split("  ").any(|part| part.trim().starts_with(address.as_str())));
-        let at = if rows.first().is_some_and(|(fault, _)| fault.starts_with(MENDS)) { 0 } else { rows.iter().position(|(_, shown)| of_chosen(shown)).unwrap_or_default() };
+        let of_chosen =
+            |shown: &str| chosen.as_ref().is_some_and(|address| shown.split("  ").any(|part| part.trim().starts_with(address.as_str())));
+        let at = if rows.first().is_some_and(|(fault, _)| fault.starts_with(MENDS)) {
+            0
+        } else {
+            rows.iter().position(|(_, shown)| of_chosen(shown)).unwrap_or_default()
+        };
         self.over = Over::Menu(Menu { head: words::FAULTS, kind: Choice::Fault, rows, at });
     }
 

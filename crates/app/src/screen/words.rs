@@ -52,10 +52,14 @@ pub(super) const OUTPUT: Text = ["{0} is written by the program in every scan", 
 pub(super) const NOT_A_BIT: Text = ["{0} is no bit; e sets its value", "{0} ist kein Bit; e setzt den Wert"];
 pub(super) const NOTHING_SELECTED: Text = ["there is nothing to choose here", "hier gibt es nichts zu wählen"];
 pub(super) const NO_INPUT: Text = ["there is no input {0} to operate", "es gibt keinen Eingang {0} zum Bedienen"];
-pub(super) const NO_PLANT: Text = ["the project has no simulated plant whose signals could fail", "das Projekt hat keine simulierte Anlage, deren Signale ausfallen könnten"];
+pub(super) const NO_PLANT: Text = [
+    "the project has no simulated plant whose signals could fail",
+    "das Projekt hat keine simulierte Anlage, deren Signale ausfallen könnten",
+];
 pub(super) const NO_FORMATS: Text = ["{0} has no other format", "{0} hat kein anderes Format"];
 pub(super) const SET: Text = ["{0} = {1}", "{0} = {1}"];
-pub(super) const MRES_ASKED: Text = ["Reset all memory (MRES)? y yes, any other key no", "Alles urlöschen (MRES)? j ja, jede andere Taste nein"];
+pub(super) const MRES_ASKED: Text =
+    ["Reset all memory (MRES)? y yes, any other key no", "Alles urlöschen (MRES)? j ja, jede andere Taste nein"];
 pub(super) const IS_RESET: Text = ["all memory is as after loading", "alles steht wie nach dem Laden"];
 pub(super) const INJECTED: Text = ["{0}", "{0}"];
 pub(super) const MENDED: Text = ["{0} is mended", "{0} ist behoben"];
@@ -99,7 +103,13 @@ pub(super) const HELP: &[(&str, Text)] = &[
     ("← →", ["go to the inputs, the outputs, the values", "zu den Eingängen, den Ausgängen, den Werten"]),
     ("space", ["switch the chosen bit, which stays so", "das gewählte Bit umschalten; es bleibt so"]),
     ("Enter", ["press it for 400 ms, like a push button", "400 ms lang drücken, wie einen Taster"]),
-    ("1 … 9", ["the first nine inputs: buttons are pressed, others switched", "die ersten neun Eingänge: Taster werden gedrückt, andere geschaltet"]),
+    (
+        "1 … 9",
+        [
+            "the first nine inputs: buttons are pressed, others switched",
+            "die ersten neun Eingänge: Taster werden gedrückt, andere geschaltet",
+        ],
+    ),
     ("e", ["type a value, in any notation", "einen Wert eingeben, in jeder Schreibweise"]),
     ("x", ["the next format of the chosen value", "das nächste Format des gewählten Werts"]),
     ("r s m", ["RUN, STOP, memory reset (it asks)", "RUN, STOP, Urlöschen (mit Rückfrage)"]),
@@ -113,4 +123,5 @@ pub(super) const HELP: &[(&str, Text)] = &[
     ("q Esc", ["quit; the program ends with its own screen", "Ende; mit seiner eigenen Anzeige endet auch das Programm"]),
 ];
 /// The demo's own key, for the help.
-pub(super) const AUTO_HELP: (&str, Text) = ("a", ["the demo presses START by itself, or not", "die Demo drückt START von selbst oder nicht"]);
+pub(super) const AUTO_HELP: (&str, Text) =
+    ("a", ["the demo presses START by itself, or not", "die Demo drückt START von selbst oder nicht"]);

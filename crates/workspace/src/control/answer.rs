@@ -10,8 +10,8 @@ use super::facts::{Client, Placed};
 use super::listing::Listing;
 use super::plants::{PlantFaults, PlantView};
 use super::table::Table;
-use crate::observed::{Entry as Observation, Event};
 use crate::names::shown_json;
+use crate::observed::{Entry as Observation, Event};
 use crate::pace::Speed;
 use crate::refusal::Refusal;
 

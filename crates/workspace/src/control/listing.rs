@@ -203,7 +203,7 @@ pub(super) fn written(facts: &Facts, block: BlockId) -> Written {
 fn assigned(facts: &Facts, scope: Scope, text: &str) -> Option<Name> {
     let (variable, _) = text.split_once(":=")?;
     let variable = variable.trim();
-    let is_name = !variable.is_empty() && !variable.contains(|c: char| c == '(' || c == '\n' || c == ';');
+    let is_name = !variable.is_empty() && !variable.contains(['(', '\n', ';']);
     let variable = variable.strip_prefix('%').unwrap_or(variable);
     is_name.then(|| Name::parse_in(variable, Some(scope), &facts.symbols, &facts.program).ok())?.map(Name::readable)
 }

@@ -21,21 +21,22 @@ pub use facts::{Client, Clients, Connection, CurrentFacts, Facts};
 use plants::{PlantFaults, plant_faults};
 use request::shortened;
 pub use request::{FaultChange, LINE_BYTES_MAX, ModeChange, Request, TimeChange, Wait, parse, too_long};
-pub use table::watched;
 use sieben_cpu::communication::Requester;
 use sieben_cpu::diagnostic_buffer::place_text;
 use sieben_cpu::{AccessError, OperatingMode, Restart, Station};
 use sieben_model::address::{Address, Area, Operand, Width};
+use sieben_model::block::BlockId;
 use sieben_model::item::{Item, Place};
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
 use sieben_model::value::{Kind, Value};
 use sieben_sim::names::{Name, NameError};
 use sieben_sim::wrap::{self, Fault};
+pub use table::watched;
 
 use crate::gate::{Closed, Gate, ITEMS_MAX, ListError, Plant};
 use crate::refusal::Refusal;
-use crate::status::Desk;
+use crate::status::{Desk, Written};
 
 /// Longest name that is kept, in bytes.
 const NAME_BYTES_MAX: usize = 200;
@@ -58,6 +59,8 @@ pub struct Control {
     facts: Arc<Facts>,
     version: u64,
     names: HashMap<String, Result<Name, NameError>>,
+    /// The variables that blocks of ST write.
+    written: HashMap<BlockId, Written>,
     /// Bits that are pressed, and until when, in the CPU's time.
     pressed: HashMap<String, u64>,
 }
@@ -104,7 +107,7 @@ impl Control {
     /// A client of a run whose program is known by these facts.
     pub fn new(current: Arc<CurrentFacts>) -> Self {
         let (version, facts) = (current.version(), current.facts());
-        Self { current, facts, version, names: HashMap::new(), pressed: HashMap::new() }
+        Self { current, facts, version, names: HashMap::new(), written: HashMap::new(), pressed: HashMap::new() }
     }
 
     /// Answers one line of JSON with another.
@@ -142,7 +145,8 @@ impl Control {
             Request::Diagnostics { after } => self.diagnostics(gate, *after).map(Answer::Diagnostics),
             Request::Blocks { from } => self.blocks(gate, *from).map(Answer::Blocks),
             Request::Status { block, after, from, wait } => {
-                status::status(gate, desk, &self.facts, (block, *after, *from, *wait)).map(|status| Answer::Status(Box::new(status)))
+                status::status(gate, desk, (&self.facts, &mut self.written), (block, *after, *from, *wait))
+                    .map(|status| Answer::Status(Box::new(status)))
             }
             Request::Mode(change) => mode(gate, *change).map(Answer::Mode),
             Request::Time(change) => time(gate, *change).map(Answer::Time),
@@ -162,6 +166,7 @@ impl Control {
             self.facts = self.current.facts();
             self.version = version;
             self.names.clear();
+            self.written.clear();
         }
     }
 
@@ -420,7 +425,8 @@ impl Control {
 
 /// Gives a bit the other value until this time of the CPU.
 fn press(name: &Name, plant: &mut Plant, until_us: u64) -> Result<(), Refusal> {
-    let Some(&Operand::Address(Address { area: Area::Input | Area::PeripheralInput, width: Width::Bit, byte, bit: number })) = name.operand()
+    let Some(&Operand::Address(Address { area: Area::Input | Area::PeripheralInput, width: Width::Bit, byte, bit: number })) =
+        name.operand()
     else {
         return Err(Refusal::new(Problem::P7104, format!("`{}` is no input bit, which alone can be pressed", shortened(name.text()))));
     };

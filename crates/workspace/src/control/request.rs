@@ -372,7 +372,10 @@ mod tests {
             (r#"{"verb":"diagnostics","after":7}"#, Request::Diagnostics { after: 7 }),
             (r#"{"verb":"blocks","from":3}"#, Request::Blocks { from: 3 }),
             (r#"{"verb":"status","block":"OB1"}"#, Request::Status { block: "OB1".to_owned(), after: 0, from: 1, wait: Wait::ForNewer }),
-            (r#"{"verb":"status","block":"OB1","wait":false}"#, Request::Status { block: "OB1".to_owned(), after: 0, from: 1, wait: Wait::Not }),
+            (
+                r#"{"verb":"status","block":"OB1","wait":false}"#,
+                Request::Status { block: "OB1".to_owned(), after: 0, from: 1, wait: Wait::Not },
+            ),
             (r#"{"verb":"plants"}"#, Request::Plants),
             (r#"{"verb":"listing","from":3}"#, Request::Listing { block: None, from: 3 }),
             (r#"{"verb":"names"}"#, Request::Names { from: 0 }),

@@ -1,5 +1,8 @@
 //! The status of a block for those who ask for one sample at a time.
 
+use std::collections::HashMap;
+use std::sync::Arc;
+
 use sieben_engine::FaultPlace;
 use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::problems::Problem;
@@ -10,7 +13,7 @@ use super::request::{Wait, shortened};
 use super::{LOOK, WAIT_MAX, listing};
 use crate::gate::{Closed, Gate};
 use crate::refusal::Refusal;
-use crate::status::{Desk, Sample};
+use crate::status::{Desk, Sample, Written};
 
 /// Statements in one answer.
 const STATEMENTS_MAX: usize = 1_000;
@@ -23,7 +26,7 @@ fn not_shown(message: impl Into<String>) -> Refusal {
 pub(super) fn status(
     gate: &Gate,
     desk: &Desk,
-    facts: &Facts,
+    (facts, written): (&Facts, &mut HashMap<BlockId, Written>),
     (name, after, from, wait): (&str, u64, u32, Wait),
 ) -> Result<Status, Refusal> {
     let block = facts.block(name).ok_or_else(|| not_shown(format!("there is no block `{}`", shortened(name))))?;
@@ -31,6 +34,8 @@ pub(super) fn status(
         return Err(not_shown(format!("{block} has no statements in this program")));
     }
     if wait == Wait::Not {
+        let written = written.entry(block).or_insert_with(|| listing::written(facts, block));
+        desk.keep_looking(block, Arc::clone(written), gate.now_us());
         return newest(gate, desk, facts, (block, after, from));
     }
     let _look = desk.look([block]);
@@ -55,12 +60,11 @@ pub(super) fn status(
     Err(Closed.into())
 }
 
-/// The newest sample of a block, which is looked at for a while from now on; without statements if there is none after `after`.
+/// The newest sample of a block that is looked at for a while; without statements if there is none after `after`.
 fn newest(gate: &Gate, desk: &Desk, facts: &Facts, (block, after, from): (BlockId, u64, u32)) -> Result<Status, Refusal> {
     if gate.is_closed() {
         return Err(Closed.into());
     }
-    desk.keep_looking(block, listing::written(facts, block), gate.now_us());
     let Some((number, looked)) = desk.newest() else { return Ok(nothing(block, 0)) };
     let sample = looked.map_err(|error| not_shown(error.to_string()))?;
     match number > after && sample.blocks.contains(&block) {

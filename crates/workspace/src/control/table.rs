@@ -6,7 +6,7 @@ use sieben_model::address::{Address, Area, Operand};
 use sieben_model::item::Item;
 use sieben_model::mnemonics::Mnemonics;
 use sieben_sim::devices::{Direction, Place, Signal};
-use sieben_sim::names::Name;
+use sieben_sim::names::{Name, catalogue};
 use sieben_sim::wrap;
 
 use super::facts::Facts;
@@ -15,6 +15,8 @@ use crate::observed::Watched;
 
 /// Rows in one answer.
 const ROWS_MAX: usize = 1_000;
+/// Fields of data blocks in the table: those of a small program, and not all of a large one.
+const FIELDS_MAX: usize = 300;
 
 /// A part of the assignment table.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -117,30 +119,42 @@ fn known(facts: &Facts) -> impl Iterator<Item = (Operand, Row)> + '_ {
     };
     let without = |operand: &Operand| {
         let address = operand.spell(Mnemonics::English);
-        let row = Row {
-            symbol: String::new(),
-            item: address.clone(),
-            address,
-            data_type: String::new(),
-            comment: String::new(),
-            terminal: None,
-        };
-        (operand.clone(), row)
+        let row =
+            Row { symbol: String::new(), item: address.clone(), address, data_type: String::new(), comment: String::new(), terminal: None };
+        (*operand, row)
     };
     facts.symbols.symbols().iter().filter_map(of_symbol).chain(facts.used.iter().map(without))
 }
 
+/// Fields of data blocks that are of at most 64 bits: variables of ST, values of the program.
+fn fields(facts: &Facts) -> impl Iterator<Item = (Item, Row)> {
+    let fields = catalogue(&facts.symbols, &facts.program).into_iter().filter(|name| name.data_block().is_some());
+    let short = fields.filter(|name| matches!(name.item().width(), 1..=64));
+    short.take(FIELDS_MAX).map(|name| {
+        let text = name.text().to_owned();
+        let row = Row {
+            symbol: String::new(),
+            address: text.clone(),
+            item: text,
+            data_type: name.kind().type_word().unwrap_or_default(),
+            comment: String::new(),
+            terminal: None,
+        };
+        (name.item().clone(), row)
+    })
+}
+
 /// The assignment table; `from` rows are left out.
 pub(super) fn table(gate: &Gate, facts: &Facts, from: usize) -> Result<Table, Closed> {
-    let all: Vec<(Operand, Row)> = known(facts).collect();
+    let all: Vec<(Item, Row)> = known(facts).map(|(operand, row)| (Item::operand(operand), row)).chain(fields(facts)).collect();
     let total = all.len();
-    let rows = gate.enter_for_each(all.into_iter().skip(from).take(ROWS_MAX), |plant, (operand, row)| {
-        let terminal = match &operand {
-            Operand::Address(address) => terminal(&plant.cpu, address),
+    let rows = gate.enter_for_each(all.into_iter().skip(from).take(ROWS_MAX), |plant, (item, row)| {
+        let terminal = match item.as_operand() {
+            Some(Operand::Address(address)) => terminal(&plant.cpu, address),
             _ => None,
         };
         // What this CPU does not have has no value.
-        let is_there = plant.cpu.read_items(std::slice::from_ref(&Item::operand(operand))).iter().all(Result::is_ok);
+        let is_there = plant.cpu.read_items(std::slice::from_ref(&item)).iter().all(Result::is_ok);
         is_there.then_some(Row { terminal, ..row })
     })?;
     let next = from.saturating_add(rows.len());
@@ -160,7 +174,8 @@ pub fn watched(facts: &Facts) -> Vec<Watched> {
 impl Table {
     /// The fields of the answer.
     pub(super) fn json(&self) -> Json {
-        let terminal = |terminal: &Terminal| json!({ "module": terminal.module, "signal": terminal.signal, "direction": terminal.direction });
+        let terminal =
+            |terminal: &Terminal| json!({ "module": terminal.module, "signal": terminal.signal, "direction": terminal.direction });
         let row = |row: &Row| {
             json!({
                 "symbol": row.symbol, "address": row.address, "item": row.item, "type": row.data_type, "comment": row.comment,

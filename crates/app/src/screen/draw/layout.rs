@@ -32,7 +32,7 @@ impl From<Part> for Panel {
 /// From this width on the program stands in a column of its own.
 const WIDE: u16 = 120;
 /// From this width on there are four columns.
-const WIDEST: u16 = 160;
+const WIDEST: u16 = 180;
 /// From this height on a narrow screen has room for the program and one thing more.
 const HIGH: u16 = 26;
 /// Frame of a panel, both sides.
@@ -111,7 +111,7 @@ fn three_columns(area: Rect, plant: Option<Sizes>, part: Part) -> Vec<(Panel, Re
 /// Plant and changes; inputs and outputs; the program; run, values and diagnostics.
 fn four_columns(area: Rect, plant: Option<Sizes>) -> Vec<(Panel, Rect)> {
     let spare = area.width - WIDEST;
-    let plant_width = plant.map_or(PLANT_WIDTH, |sizes| (sizes.best.width + FRAME).min(PLANT_WIDTH + spare / 2));
+    let plant_width = plant.map_or(PLANT_WIDTH + spare / 2, |sizes| (sizes.best.width + FRAME).min(PLANT_WIDTH + spare / 2));
     let widths = [Length(plant_width), Length(SIGNALS_WIDTH), Fill(3), Fill(2)];
     let [left, signals, program, right] = columns(area, widths);
     let mut panels = match plant {
@@ -148,7 +148,10 @@ mod tests {
                     let cells: u32 = panels.iter().map(|(_, rect)| rect.area()).sum();
                     assert_eq!(cells, area.area(), "{width} × {height} {part:?}");
                     for (at, (_, one)) in panels.iter().enumerate() {
-                        assert!(panels[at + 1..].iter().all(|(_, other)| one.intersection(*other).is_empty()), "{width} × {height} {panels:?}");
+                        assert!(
+                            panels[at + 1..].iter().all(|(_, other)| one.intersection(*other).is_empty()),
+                            "{width} × {height} {panels:?}"
+                        );
                     }
                     if let (Some(sizes), Some((_, rect))) = (plant, panels.iter().find(|(panel, _)| *panel == Panel::Plant)) {
                         assert!(rect.width >= sizes.least.width + FRAME && rect.height >= sizes.least.height + FRAME, "{width} × {height}");

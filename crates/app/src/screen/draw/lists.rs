@@ -16,6 +16,26 @@ use crate::screen::words;
 /// Columns of the number of a scan.
 const SCAN: usize = 7;
 
+/// Lines of a note at most.
+const NOTE_LINES: usize = 4;
+
+/// A text broken between words into lines of this width, and not more than [`NOTE_LINES`] of them.
+fn wrapped(text: &str, width: usize) -> Vec<String> {
+    let mut lines: Vec<String> = vec![String::new()];
+    for word in text.split_whitespace() {
+        let is_last = lines.len() >= NOTE_LINES;
+        match lines.last_mut() {
+            Some(line) if line.is_empty() => line.push_str(word),
+            Some(line) if is_last || line.chars().count() + 1 + word.chars().count() <= width => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines.iter().map(|line| fitted(line, width)).collect()
+}
+
 /// `10.02 ms`; `-` for 0, which was not measured.
 fn milliseconds(value: &Value) -> String {
     value.as_f64().filter(|&ms| ms > 0.0).map_or_else(|| "-".to_owned(), |ms| format!("{ms:.2} ms"))
@@ -28,32 +48,39 @@ impl Scene<'_> {
         let changes = &self.look.changes;
         let mut above = None;
         let shown = changes.iter().skip(changes.len().saturating_sub(room));
-        let lines: Vec<Line<'static>> = shown.map(|entry| self.change(entry, above.replace(entry["scan"].as_u64()), width)).collect();
+        let lines: Vec<Line<'static>> = shown.flat_map(|entry| self.change(entry, above.replace(entry["scan"].as_u64()), width)).collect();
+        // A note may take several lines: the newest ones are seen.
+        let lines = lines.split_at(lines.len().saturating_sub(room)).1.to_vec();
         let head = format!(" {} ", self.screen.word(words::CHANGES));
         frame.render_widget(Paragraph::new(lines).block(self.palette.frame(head)), area);
     }
 
     /// An entry; its scan is written only where it differs from the one above.
-    fn change(&self, entry: &Value, above: Option<Option<u64>>, width: usize) -> Line<'static> {
+    fn change(&self, entry: &Value, above: Option<Option<u64>>, width: usize) -> Vec<Line<'static>> {
         let text = |key: &str| visible(entry[key].as_str().unwrap_or_default()).into_owned();
         let scan = entry["scan"].as_u64();
         let scan = if above == Some(scan) { String::new() } else { thousands(scan.unwrap_or_default()) };
         let scan = Span::styled(format!("{scan:>SCAN$} "), self.palette.faint());
         let room = width.saturating_sub(SCAN + 1);
         if let Some(note) = entry["note"].as_str() {
-            return Line::from(vec![scan, Span::styled(fitted(note.trim_end(), room), self.palette.colour(Color::Yellow))]);
+            let parts = wrapped(&visible(note.trim_end()), room);
+            let line = |(index, part): (usize, String)| {
+                let scan = if index == 0 { scan.clone() } else { Span::raw(" ".repeat(SCAN + 1)) };
+                Line::from(vec![scan, Span::styled(part, self.palette.colour(Color::Yellow))])
+            };
+            return parts.into_iter().enumerate().map(line).collect();
         }
         let (name, address) = (text("name"), text("address"));
         let name = if name.is_empty() { address } else { name };
         let values = format!("{}→{}", text("before"), text("after"));
         let name = fitted(&name, room.saturating_sub(values.chars().count() + 1).max(room / 3));
         let left = room.saturating_sub(name.chars().count() + values.chars().count() + 2);
-        Line::from(vec![
+        vec![Line::from(vec![
             scan,
             Span::raw(format!("{name} ")),
             Span::styled(values, Style::new().add_modifier(Modifier::BOLD)),
             Span::styled(format!(" {}", fitted(&text("comment"), left)), self.palette.faint()),
-        ])
+        ])]
     }
 
     pub(super) fn diagnostics(&self, frame: &mut Frame<'_>, area: Rect) {

@@ -14,9 +14,9 @@ use crate::screen::numbers::thousands;
 use crate::screen::words;
 
 /// Columns of STA, RLO and ACCU 1.
-const STATUS: usize = 18;
+const STATUS: usize = 16;
 /// Columns of a statement with its operand.
-const STATEMENT: usize = 13;
+const STATEMENT: usize = 12;
 /// Columns of a symbol at most.
 const SYMBOL: usize = 24;
 /// Columns of a value of ST at most.
@@ -101,7 +101,7 @@ impl Scene<'_> {
         let accu = if seen.accu1 > 0xFFFF { format!("{:08X}", seen.accu1) } else { format!("{:04X}", seen.accu1) };
         Line::from(vec![
             Span::styled(text, style),
-            Span::raw("   "),
+            Span::raw("  "),
             bit(seen.sta),
             Span::raw("   "),
             bit(seen.rlo),

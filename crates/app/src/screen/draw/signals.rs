@@ -87,16 +87,15 @@ impl Scene<'_> {
         let address = if has_room { format!(" {address:<ADDRESS$}") } else { String::new() };
         left = left.saturating_sub(address.chars().count());
         let least_name = row.name.chars().count().min(left / 3);
-        let value = fitted(value, left.saturating_sub(least_name + 1));
+        let room = left.saturating_sub(least_name + 1);
+        // Without the number that the bits are, a value may still be read.
+        let short = value.split_once(" (").map_or(value, |(short, _)| short);
+        let value = fitted(if value.chars().count() > room { short } else { value }, room);
         let gap = if value.is_empty() { 0 } else { value.chars().count() + 1 };
         let name = format!("{:<width$}", fitted(&row.name, left.saturating_sub(gap)), width = left.saturating_sub(gap));
         let value_style = if shown.is_error { self.palette.colour(Color::Yellow) } else { Style::new().add_modifier(Modifier::BOLD) };
-        let mut spans = vec![
-            Span::styled(key, self.palette.colour(Color::Cyan).add_modifier(Modifier::BOLD)),
-            lamp,
-            Span::raw(" "),
-            Span::raw(name),
-        ];
+        let mut spans =
+            vec![Span::styled(key, self.palette.colour(Color::Cyan).add_modifier(Modifier::BOLD)), lamp, Span::raw(" "), Span::raw(name)];
         if gap > 0 {
             spans.extend([Span::raw(" "), Span::styled(value, value_style)]);
         }

@@ -152,7 +152,9 @@ impl Played {
             let is_there = answer["items"].as_array().is_some_and(|items| {
                 items.iter().zip(&wanted).all(|(item, (_, value))| {
                     let shown = item["value"].as_str().map_or_else(|| item["value"].to_string(), str::to_owned);
-                    shown == *value || shown.trim_start_matches("16#").trim_start_matches('0') == value.trim_start_matches("16#").trim_start_matches('0')
+                    shown == *value
+                        || shown.trim_start_matches("16#").trim_start_matches('0')
+                            == value.trim_start_matches("16#").trim_start_matches('0')
                 })
             });
             if is_there {
