@@ -122,6 +122,39 @@ fn top_ends_with_its_terminal() {
     assert_eq!(end(run).code(), Some(0), "the run goes on without it");
 }
 
+/// What a terminal shows that has got these characters: places and text, which is all that a screen sends beside colours.
+fn picture(drawn: &str, columns: usize, rows: usize) -> Vec<String> {
+    let mut cells = vec![vec![' '; columns]; rows];
+    let (mut row, mut column) = (0, 0);
+    let mut characters = drawn.chars();
+    while let Some(character) = characters.next() {
+        match character {
+            '\u{1b}' => {
+                let mut sequence = String::new();
+                let end = characters.by_ref().skip(1).find(|character| {
+                    sequence.push(*character);
+                    character.is_ascii_alphabetic()
+                });
+                let numbers: Vec<usize> =
+                    sequence.trim_end_matches(char::is_alphabetic).split(';').filter_map(|one| one.parse().ok()).collect();
+                match (end, numbers.as_slice()) {
+                    (Some('H'), [down, right]) => (row, column) = (down.saturating_sub(1), right.saturating_sub(1)),
+                    (Some('J'), _) => cells.iter_mut().for_each(|row| row.fill(' ')),
+                    _ => {}
+                }
+            }
+            character if !character.is_control() => {
+                if let Some(cell) = cells.get_mut(row).and_then(|cells| cells.get_mut(column)) {
+                    *cell = character;
+                }
+                column += 1;
+            }
+            _ => {}
+        }
+    }
+    cells.into_iter().map(String::from_iter).collect()
+}
+
 /// A window in which a program draws, and all that it has drawn.
 struct Window {
     file: File,
@@ -154,6 +187,19 @@ impl Window {
             self.seen.push_str(&self.drawn.recv_timeout(DEADLINE).unwrap_or_else(|_| panic!("{word}: {:?}", self.seen)));
             // What is drawn may come in two parts.
             from = from.min(self.seen.len());
+        }
+    }
+
+    /// Waits until the picture is as it should be; what it looks like then.
+    fn looks(&mut self, columns: usize, rows: usize, wanted: impl Fn(&[String]) -> bool) -> Vec<String> {
+        let until = Instant::now() + DEADLINE;
+        loop {
+            let picture = picture(&self.seen, columns, rows);
+            if wanted(&picture) {
+                return picture;
+            }
+            assert!(Instant::now() < until, "{}", picture.join("\n"));
+            self.seen.push_str(&self.drawn.recv_timeout(DEADLINE).unwrap_or_else(|_| panic!("{}", picture.join("\n"))));
         }
     }
 
@@ -379,4 +425,44 @@ fn without_a_screen_a_run_prints_lines_where_it_is_asked_to() {
     assert_eq!(end(run).code(), Some(0));
     let printed = Window::of(window).printed();
     assert!(printed.contains("ran for 1.0 s") && !printed.contains("\u{1b}[?1049h"), "{printed:?}");
+}
+
+/// Exercise 1.1 of the course, with keys alone: the decades are shown while they are not below the toggle switches.
+#[test]
+fn the_exercise_with_the_decade_switches_is_done_with_keys_alone() {
+    let folder = Folder::new();
+    let new = sieben(folder.path(), &["new", "my", "--example", "decade-switches"]).output().expect("sieben runs");
+    assert!(new.status.success());
+    let (window, inside) = terminal();
+    let (columns, rows) = (120, 40);
+    let size = Winsize { ws_row: rows as u16, ws_col: columns as u16, ws_xpixel: 0, ws_ypixel: 0 };
+    tcsetwinsize(&window, size).expect("it has a size");
+    let run = start(&folder, &["run", "my"], inside);
+    let mut window = Window::of(window);
+    // The column of inputs and outputs stands in the middle.
+    let shows = |picture: &[String], name: &str, value: &str| {
+        let middle = |line: &String| line.chars().skip(40).take(38).collect::<String>();
+        picture.iter().map(middle).any(|line| line.contains(name) && line.contains(value))
+    };
+    let display = |value: &'static str| move |picture: &[String]| shows(picture, "Display", value);
+    window.looks(columns, rows, display("16#0000"));
+    // The first row is that of the toggle switches, the second that of the decade switches.
+    let typed = |window: &mut Window, value: &str| {
+        window.press("e");
+        window.looks(columns, rows, |picture| picture[rows - 1].contains(" = "));
+        window.press(value);
+        window.press("\r");
+    };
+    typed(&mut window, "16#0012");
+    window.press("\u{1b}[B");
+    typed(&mut window, "16#1234");
+    window.looks(columns, rows, display("16#1234"));
+    // Below the toggle switches nothing is shown.
+    typed(&mut window, "16#0011");
+    window.looks(columns, rows, |picture| shows(picture, "Decades", "16#0011") && shows(picture, "Display", "16#0000"));
+    // A switch between two digits is no number: a lamp says so.
+    typed(&mut window, "16#12A4");
+    window.looks(columns, rows, |picture| shows(picture, "DigitLamp", "●"));
+    window.press("q");
+    assert_eq!(end(run).code(), Some(0));
 }

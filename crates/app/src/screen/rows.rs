@@ -71,7 +71,9 @@ impl Row {
         };
         let said = format!("{symbol} {comment}").to_lowercase();
         let is_button = terminal["button"].as_bool().unwrap_or_else(|| BUTTON_WORDS.iter().any(|word| said.contains(word)));
-        let name = if symbol.is_empty() { address.clone() } else { symbol };
+        // A terminal that is a person's and has no symbol is called as the plant calls it.
+        let of_plant = terminal["signal"].as_str().filter(|_| terminal["direction"] == "hand");
+        let name = if symbol.is_empty() { of_plant.unwrap_or(&address).to_owned() } else { symbol };
         Some(Self { group, name, item: text("item"), comment, driver, operand, is_button, address })
     }
 

@@ -100,6 +100,14 @@ fn terminal(cpu: &Cpu, address: &Address) -> Option<Terminal> {
     found
 }
 
+/// The row of what has no symbol.
+fn without_symbol(operand: &Operand) -> (Operand, Row) {
+    let address = operand.spell(Mnemonics::English);
+    let row =
+        Row { symbol: String::new(), item: address.clone(), address, data_type: String::new(), comment: String::new(), terminal: None };
+    (*operand, row)
+}
+
 /// Symbol, address, item, type and comment of all that has a value: the table of symbols, then what the program uses without a symbol.
 fn known(facts: &Facts) -> impl Iterator<Item = (Operand, Row)> + '_ {
     let of_symbol = |symbol: &sieben_model::symbols::Symbol| {
@@ -117,13 +125,7 @@ fn known(facts: &Facts) -> impl Iterator<Item = (Operand, Row)> + '_ {
         };
         Some((operand, row))
     };
-    let without = |operand: &Operand| {
-        let address = operand.spell(Mnemonics::English);
-        let row =
-            Row { symbol: String::new(), item: address.clone(), address, data_type: String::new(), comment: String::new(), terminal: None };
-        (*operand, row)
-    };
-    facts.symbols.symbols().iter().filter_map(of_symbol).chain(facts.used.iter().map(without))
+    facts.symbols.symbols().iter().filter_map(of_symbol).chain(facts.used.iter().map(without_symbol))
 }
 
 /// Fields of data blocks that are of at most 64 bits: variables of ST, values of the program.
@@ -144,9 +146,24 @@ fn fields(facts: &Facts) -> impl Iterator<Item = (Item, Row)> {
     })
 }
 
+/// What people operate at the plants: the terminals that are theirs, by their addresses.
+fn hands(cpu: &Cpu) -> Vec<Operand> {
+    let of_plant = |plant: &wrap::Plant| {
+        let base = plant.inputs().start;
+        let hands = plant.kind().signals.iter().filter(|signal| matches!(signal.direction, Direction::Hand { .. }));
+        hands.filter_map(|signal| Operand::parse(&signal.address(base))).collect::<Vec<_>>()
+    };
+    wrap::plants(cpu.rack()).flat_map(of_plant).take(ROWS_MAX).collect()
+}
+
 /// The assignment table; `from` rows are left out.
 pub(super) fn table(gate: &Gate, facts: &Facts, from: usize) -> Result<Table, Closed> {
-    let all: Vec<(Item, Row)> = known(facts).map(|(operand, row)| (Item::operand(operand), row)).chain(fields(facts)).collect();
+    let known: Vec<(Operand, Row)> = known(facts).collect();
+    let is_new = |operand: &Operand| !known.iter().any(|(other, _)| other == operand);
+    let hands = gate.enter(|plant| hands(&plant.cpu))?;
+    let hands: Vec<(Operand, Row)> = hands.iter().filter(|operand| is_new(operand)).map(without_symbol).collect();
+    let rows = known.into_iter().chain(hands).map(|(operand, row)| (Item::operand(operand), row));
+    let all: Vec<(Item, Row)> = rows.chain(fields(facts)).collect();
     let total = all.len();
     let rows = gate.enter_for_each(all.into_iter().skip(from).take(ROWS_MAX), |plant, (item, row)| {
         let terminal = match item.as_operand() {
