@@ -40,6 +40,8 @@ pub struct Facts {
     pub used: Vec<Operand>,
     /// Blocks that a block calls, each once, in their order.
     pub calls: BTreeMap<BlockId, Vec<BlockId>>,
+    /// The byte of bit memory that the CPU counts its clock in, which no program changes.
+    pub clock_memory_byte: Option<u32>,
     /// Blocks of the library.
     pub library: BTreeSet<BlockId>,
     /// The mnemonic language of each source.
@@ -69,6 +71,7 @@ impl Facts {
     /// What a build knows of the program that a CPU runs.
     pub fn of(build: &Build, program: &Arc<Program>) -> Self {
         let mut facts = Self::named(build, program);
+        facts.clock_memory_byte = build.project.settings.clock_memory_byte.map(u32::from);
         facts.mnemonics.clone_from(&build.compiled.mnemonics);
         facts.library = program.code.keys().copied().filter(|&block| build.compiled.is_of_library(block)).collect();
         for (&block, body) in &build.compiled.bodies {

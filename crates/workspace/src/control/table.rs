@@ -178,14 +178,15 @@ pub(super) fn table(gate: &Gate, facts: &Facts, from: usize) -> Result<Table, Cl
     Ok(Table { total, next: (next < total).then_some(next), rows: rows.into_iter().flatten().collect() })
 }
 
-/// What is compared from scan to scan.
+/// What is compared from scan to scan: without the clock memory, which changes by itself.
 pub fn watched(facts: &Facts) -> Vec<Watched> {
     let watched = |(operand, row): (Operand, Row)| {
         let named = Name::parse(&row.item, &facts.symbols, &facts.program).ok();
         let item = named.map_or_else(|| Item::operand(operand), |name| name.readable().item().clone());
         Watched { name: row.symbol, address: row.address, comment: row.comment, item: item.readable() }
     };
-    known(facts).map(watched).collect()
+    let is_clock = |operand: &Operand| matches!(operand, Operand::Address(Address { area: Area::BitMemory, byte, .. }) if Some(*byte) == facts.clock_memory_byte);
+    known(facts).filter(|(operand, _)| !is_clock(operand)).map(watched).collect()
 }
 
 impl Table {

@@ -93,10 +93,10 @@ impl Scene<'_> {
             };
             // The date stands in the panel of the run.
             let time = text("time").split_once(' ').map_or(text("time"), |(_, time)| time);
-            Line::from(vec![
-                Span::styled(format!(" {time}  "), self.palette.faint()),
-                Span::raw(visible(&format!("{}  {}{place}", text("event"), text("text"))).into_owned()),
-            ])
+            let time = format!(" {time}  ");
+            let left = usize::from(area.width.saturating_sub(2)).saturating_sub(time.chars().count());
+            let said = fitted(&format!("{}  {}{place}", text("event"), text("text")), left);
+            Line::from(vec![Span::styled(time, self.palette.faint()), Span::raw(said)])
         };
         let lines: Vec<Line<'static>> = self.look.entries.iter().take(room).map(line).collect();
         let head = format!(" {} ", self.screen.word(words::DIAGNOSTICS));

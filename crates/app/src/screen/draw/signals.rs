@@ -100,7 +100,11 @@ impl Scene<'_> {
             spans.extend([Span::raw(" "), Span::styled(value, value_style)]);
         }
         spans.push(Span::styled(address, self.palette.faint()));
-        let line = Line::from(spans);
-        if is_chosen { line.style(Style::new().add_modifier(Modifier::REVERSED)) } else { line }
+        if is_chosen {
+            // One colour for all of it, which every terminal has.
+            let text: String = spans.iter().map(|span| span.content.as_ref()).collect();
+            return Line::styled(text, Style::new().add_modifier(Modifier::REVERSED));
+        }
+        Line::from(spans)
     }
 }
