@@ -55,7 +55,7 @@ pub(super) fn look(plant: &Value) -> Option<PlantLook> {
         inputs: bytes(&plant["inputs"], kind.input_bytes),
         outputs: bytes(&plant["outputs"], kind.output_bytes),
         state: list("state").filter_map(state).collect(),
-        faults: list("faults").filter_map(|fault| fault.as_str().map(str::to_owned)).collect(),
+        faults: list("acting").filter_map(|fault| fault.as_str().map(str::to_owned)).collect(),
         symbols: Arc::new(list("signals").filter_map(symbol).collect::<BTreeMap<_, _>>()),
     })
 }

@@ -57,9 +57,9 @@ impl Device {
         let inputs = vec![0; kind.input_bytes as usize];
         let (mut hands, mut hand_mask) = (inputs.clone(), inputs.clone());
         for signal in kind.signals {
-            if let Direction::Hand { closed } = signal.direction {
+            if let Direction::Hand { closed, .. } = signal.direction {
                 signal.put(&mut hands, i16::from(closed));
-                signal.put(&mut hand_mask, 1);
+                signal.put(&mut hand_mask, -1);
             }
         }
         let process = (kind.make)(&settings.parameters, settings.seed);

@@ -53,11 +53,22 @@ pub enum Direction {
     Sensor,
     /// From people or things around the plant to the CPU: set from outside, the process does not change it.
     Hand {
+        /// What people do with it.
+        operated: Operated,
         /// The value at the beginning: `true` for what is normally closed.
         closed: bool,
     },
     /// From the CPU to an actuator.
     Actuator,
+}
+
+/// How a signal that belongs to people is operated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Operated {
+    /// Pressed, and it comes back when it is let go.
+    Button,
+    /// Put, and it stays so.
+    Switch,
 }
 
 /// Where a signal lies among the bytes of its device.
@@ -127,11 +138,17 @@ impl Signal {
 const fn sensor(name: &'static str, byte: u32, bit: u8, about: &'static str) -> Signal {
     Signal::bit(Direction::Sensor, name, byte, bit, about)
 }
-const fn hand(name: &'static str, byte: u32, bit: u8, about: &'static str) -> Signal {
-    Signal::bit(Direction::Hand { closed: false }, name, byte, bit, about)
+const fn button(name: &'static str, byte: u32, bit: u8, about: &'static str) -> Signal {
+    Signal::bit(Direction::Hand { operated: Operated::Button, closed: false }, name, byte, bit, about)
 }
-const fn closed_hand(name: &'static str, byte: u32, bit: u8, about: &'static str) -> Signal {
-    Signal::bit(Direction::Hand { closed: true }, name, byte, bit, about)
+const fn closed_button(name: &'static str, byte: u32, bit: u8, about: &'static str) -> Signal {
+    Signal::bit(Direction::Hand { operated: Operated::Button, closed: true }, name, byte, bit, about)
+}
+const fn switch(name: &'static str, byte: u32, bit: u8, about: &'static str) -> Signal {
+    Signal::bit(Direction::Hand { operated: Operated::Switch, closed: false }, name, byte, bit, about)
+}
+const fn closed_switch(name: &'static str, byte: u32, bit: u8, about: &'static str) -> Signal {
+    Signal::bit(Direction::Hand { operated: Operated::Switch, closed: true }, name, byte, bit, about)
 }
 const fn actuator(name: &'static str, byte: u32, bit: u8, about: &'static str) -> Signal {
     Signal::bit(Direction::Actuator, name, byte, bit, about)

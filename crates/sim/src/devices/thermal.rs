@@ -38,6 +38,7 @@ pub(super) const KIND: Kind = Kind {
             noise: values[4],
             limit: values[5],
             temperature: values[0],
+            trend: 0.0,
             reading: values[0],
             power: 0.0,
             sum: 0.0,
@@ -63,6 +64,8 @@ struct Thermal {
     noise: f64,
     limit: f64,
     temperature: f64,
+    /// Kelvin per second.
+    trend: f64,
     reading: f64,
     /// Power that has arrived.
     power: f64,
@@ -86,7 +89,8 @@ impl Process for Thermal {
             self.reading = self.temperature + self.noise * self.random.around_zero();
         }
         let loss = if is_set(commands, 2, 1) { 3.0 } else { 1.0 };
-        self.temperature += (self.gain * self.power - loss * (self.temperature - self.ambient)) * DT / self.time_constant;
+        self.trend = (self.gain * self.power - loss * (self.temperature - self.ambient)) / self.time_constant;
+        self.temperature += self.trend * DT;
         self.open = self.temperature > if self.open { self.limit - 10.0 } else { self.limit };
     }
     fn sense(&self, into: &mut [u8]) {
@@ -94,7 +98,7 @@ impl Process for Thermal {
         put_bits(&mut into[2], &[(0, !self.open)]);
     }
     fn state(&self) -> Vec<(&'static str, f64, &'static str)> {
-        vec![("temperature", self.temperature, "°C"), ("power", self.power * 100.0, "%")]
+        vec![("temperature", self.temperature, "°C"), ("trend", self.trend, "K/s"), ("power", self.power * 100.0, "%")]
     }
     fn copy(&self) -> Box<dyn Process> {
         Box::new(self.clone())

@@ -46,6 +46,10 @@ struct Active {
 }
 
 impl Active {
+    fn acts(&self, now_us: u64) -> bool {
+        now_us >= self.from_us && self.fault.until_us.is_none_or(|until| now_us < until)
+    }
+
     /// What comes through of a value.
     fn change(&mut self, now_us: u64, value: i16) -> i16 {
         if let FaultKind::Late(delay_us) = self.fault.kind {
@@ -57,7 +61,7 @@ impl Active {
             }
         }
         let before = self.last.replace(value);
-        if now_us < self.from_us || self.fault.until_us.is_some_and(|until| now_us >= until) {
+        if !self.acts(now_us) {
             return value;
         }
         let first = *self.first.get_or_insert(value);
@@ -111,6 +115,11 @@ impl Plant {
     /// Its faults, those too whose time has not come or is over.
     pub fn faults(&self) -> impl Iterator<Item = &Fault> {
         self.faults.iter().map(|active| &active.fault)
+    }
+
+    /// Those of its faults whose time it is.
+    pub fn acting_faults(&self) -> impl Iterator<Item = &Fault> {
+        self.faults.iter().filter(|active| active.acts(self.now_us)).map(|active| &active.fault)
     }
 
     /// From its time on, one without a time from now on, a signal fails.

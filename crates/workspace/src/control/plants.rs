@@ -6,7 +6,7 @@ use sieben_model::address::Operand;
 use sieben_sim::wrap;
 
 use super::facts::Facts;
-use super::table::direction;
+use super::table::{direction, operated};
 use crate::gate::{Closed, Gate};
 
 /// Plants in one answer.
@@ -46,6 +46,8 @@ pub struct PlantView {
     pub state: Vec<(&'static str, f64, &'static str)>,
     /// Its faults, as they are injected.
     pub faults: Vec<String>,
+    /// Those of them whose time it is.
+    pub acting: Vec<String>,
     /// Its terminals.
     pub signals: Vec<SignalView>,
 }
@@ -59,6 +61,8 @@ pub struct SignalView {
     pub address: String,
     /// Which way it goes.
     pub direction: &'static str,
+    /// What people do with it, if it is theirs.
+    pub operated: Option<&'static str>,
     /// The symbol of the address.
     pub symbol: Option<String>,
     /// What it says.
@@ -82,6 +86,7 @@ fn view(plant: &wrap::Plant) -> PlantView {
         name: signal.name,
         address: signal.address(if signal.is_input() { plant.inputs().start } else { plant.outputs().start }),
         direction: direction(signal.direction),
+        operated: operated(signal.direction),
         symbol: None,
         about: signal.about,
     };
@@ -95,6 +100,7 @@ fn view(plant: &wrap::Plant) -> PlantView {
         outputs: plant.commands().to_vec(),
         state: plant.device().state(),
         faults: plant.faults().map(ToString::to_string).collect(),
+        acting: plant.acting_faults().map(ToString::to_string).collect(),
         signals: kind.signals.iter().map(signal).collect(),
     }
 }
@@ -124,13 +130,13 @@ impl PlantView {
         let state = |&(name, value, unit): &(&str, f64, &str)| json!({ "name": name, "value": value, "unit": unit });
         let signal = |signal: &SignalView| {
             json!({
-                "name": signal.name, "address": signal.address, "direction": signal.direction, "symbol": signal.symbol, "about": signal.about,
+                "name": signal.name, "address": signal.address, "direction": signal.direction, "operated": signal.operated, "symbol": signal.symbol, "about": signal.about,
             })
         };
         json!({
             "module": self.module, "kind": self.kind, "input": self.input, "output": self.output, "parameters": self.parameters,
             "inputs": hex(&self.inputs), "outputs": hex(&self.outputs), "state": self.state.iter().map(state).collect::<Json>(),
-            "faults": self.faults, "signals": self.signals.iter().map(signal).collect::<Json>(),
+            "faults": self.faults, "acting": self.acting, "signals": self.signals.iter().map(signal).collect::<Json>(),
         })
     }
 }

@@ -5,7 +5,7 @@ use sieben_cpu::{Cpu, IoModule, Station};
 use sieben_model::address::{Address, Area, Operand};
 use sieben_model::item::Item;
 use sieben_model::mnemonics::Mnemonics;
-use sieben_sim::devices::{Direction, Place, Signal};
+use sieben_sim::devices::{Direction, Operated, Place, Signal};
 use sieben_sim::names::{Name, catalogue};
 use sieben_sim::wrap;
 
@@ -55,6 +55,8 @@ pub struct Terminal {
     pub signal: &'static str,
     /// Which way it goes.
     pub direction: &'static str,
+    /// What people do with it, if it is theirs.
+    pub operated: Option<&'static str>,
 }
 
 /// The word for a direction.
@@ -63,6 +65,15 @@ pub(super) fn direction(direction: Direction) -> &'static str {
         Direction::Sensor => "sensor",
         Direction::Hand { .. } => "hand",
         Direction::Actuator => "actuator",
+    }
+}
+
+/// The word for what people do with a signal that is theirs.
+pub(super) fn operated(direction: Direction) -> Option<&'static str> {
+    match direction {
+        Direction::Hand { operated: Operated::Button, .. } => Some("button"),
+        Direction::Hand { operated: Operated::Switch, .. } => Some("switch"),
+        Direction::Sensor | Direction::Actuator => None,
     }
 }
 
@@ -89,7 +100,12 @@ fn terminal(cpu: &Cpu, address: &Address) -> Option<Terminal> {
         for signal in plant.kind().signals.iter().filter(|signal| signal.is_input() == is_input) {
             let (begin, count) = bits(signal, base);
             if begin < end && first < begin + count {
-                let terminal = || Terminal { module: plant.name().to_owned(), signal: signal.name, direction: direction(signal.direction) };
+                let terminal = || Terminal {
+                    module: plant.name().to_owned(),
+                    signal: signal.name,
+                    direction: direction(signal.direction),
+                    operated: operated(signal.direction),
+                };
                 if signal.direction == Direction::Sensor {
                     return Some(terminal());
                 }
@@ -192,8 +208,7 @@ pub fn watched(facts: &Facts) -> Vec<Watched> {
 impl Table {
     /// The fields of the answer.
     pub(super) fn json(&self) -> Json {
-        let terminal =
-            |terminal: &Terminal| json!({ "module": terminal.module, "signal": terminal.signal, "direction": terminal.direction });
+        let terminal = |terminal: &Terminal| json!({ "module": terminal.module, "signal": terminal.signal, "direction": terminal.direction, "operated": terminal.operated });
         let row = |row: &Row| {
             json!({
                 "symbol": row.symbol, "address": row.address, "item": row.item, "type": row.data_type, "comment": row.comment,
