@@ -500,7 +500,7 @@ fn plant_faults(plant: &wrap::Plant) -> PlantFaults {
     PlantFaults {
         module: plant.name().to_owned(),
         kind: plant.kind().name,
-        signals: plant.kind().signals.iter().map(|signal| signal.name).collect(),
+        signals: plant.device().signals().iter().map(|signal| signal.name).collect(),
         faults: plant.faults().map(ToString::to_string).collect(),
     }
 }
