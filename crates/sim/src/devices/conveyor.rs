@@ -30,6 +30,8 @@ pub(super) const KIND: Kind = Kind {
         parameter("weight", 500.0, (1.0, 30_000.0), "g", "mean weight of a part"),
         parameter("spread", 20.0, (0.0, 1000.0), "g", "how much the weight differs at most"),
     ],
+    arrange: None,
+    shown: &[],
     make: |values, seed| {
         let mut random = Random::new(seed);
         let until_part = if values[2] > 0.0 { random.gap(values[2]) } else { u64::MAX };

@@ -246,6 +246,8 @@ pub(super) const KIND: Kind = Kind {
         parameter("supply", 1000.0, (1.0, 1_000_000.0), "l", "what the supply tank holds at the beginning"),
         parameter("vessel", 200.0, (1.0, 1_000_000.0), "l", "what the vessel holds"),
     ],
+    arrange: None,
+    shown: &[],
     make: |values, seed| {
         Box::new(DosingPlant::new(DosingSettings {
             flow_ml_per_s: (values[0] * 1000.0) as u32,

@@ -51,6 +51,8 @@ pub(super) const KIND: Kind = Kind {
         parameter("door_time", 2.0, (0.1, 20.0), "s", "how long the door takes to open or shut"),
         parameter("floor", 1.0, (1.0, 4.0), "", "where the car is at the beginning"),
     ],
+    arrange: None,
+    shown: &[],
     make: |values, _seed| {
         Box::new(Elevator {
             height: values[0],

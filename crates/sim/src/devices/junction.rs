@@ -33,6 +33,8 @@ pub(super) const KIND: Kind = Kind {
         parameter("side_gap", 10.0, (0.0, 3600.0), "s", "mean time between two cars on the side road; 0 = none come"),
         parameter("walk_gap", 30.0, (0.0, 3600.0), "s", "mean time between two pedestrians; 0 = none come"),
     ],
+    arrange: None,
+    shown: &[],
     make: |values, seed| {
         let mut random = Random::new(seed);
         let stream = |gap_s: f64, random: &mut Random| Stream {

@@ -30,6 +30,8 @@ pub(super) const KIND: Kind = Kind {
         parameter("load", 40.0, (0.0, 300.0), "%", "torque of the load at full speed"),
         parameter("trip", 10.0, (0.5, 600.0), "s", "after it the overload relay trips at 6 times the rated current"),
     ],
+    arrange: None,
+    shown: &[],
     make: |values, _seed| {
         Box::new(Motor {
             run_up: values[0],

@@ -30,6 +30,8 @@ pub(super) const KIND: Kind = Kind {
         parameter("level", 20.0, (0.0, 100.0), "%", "level at the beginning"),
         parameter("waves", 0.2, (0.0, 10.0), "%", "how far the reading is off at most"),
     ],
+    arrange: None,
+    shown: &[],
     make: |values, seed| {
         Box::new(Tank {
             volume: values[0],

@@ -29,6 +29,8 @@ pub(super) const KIND: Kind = Kind {
         parameter("noise", 0.1, (0.0, 10.0), "K", "how far the reading is off at most"),
         parameter("limit", 150.0, (0.0, 1500.0), "°C", "where the safety thermostat opens"),
     ],
+    arrange: None,
+    shown: &[],
     make: |values, seed| {
         Box::new(Thermal {
             ambient: values[0],

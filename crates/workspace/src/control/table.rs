@@ -97,7 +97,7 @@ fn terminal(cpu: &Cpu, address: &Address) -> Option<Terminal> {
     let mut found = None;
     for plant in wrap::plants(cpu.rack()) {
         let base = if is_input { plant.inputs().start } else { plant.outputs().start };
-        for signal in plant.kind().signals.iter().filter(|signal| signal.is_input() == is_input) {
+        for signal in plant.device().signals().iter().filter(|signal| signal.is_input() == is_input) {
             let (begin, count) = bits(signal, base);
             if begin < end && first < begin + count {
                 let terminal = || Terminal {
@@ -166,7 +166,7 @@ fn fields(facts: &Facts) -> impl Iterator<Item = (Item, Row)> {
 fn hands(cpu: &Cpu) -> Vec<Operand> {
     let of_plant = |plant: &wrap::Plant| {
         let base = plant.inputs().start;
-        let hands = plant.kind().signals.iter().filter(|signal| matches!(signal.direction, Direction::Hand { .. }));
+        let hands = plant.device().signals().iter().filter(|signal| matches!(signal.direction, Direction::Hand { .. }));
         hands.filter_map(|signal| Operand::parse(&signal.address(base))).collect::<Vec<_>>()
     };
     wrap::plants(cpu.rack()).flat_map(of_plant).take(ROWS_MAX).collect()

@@ -6,6 +6,7 @@ mod dosing;
 mod elevator;
 mod junction;
 mod motor;
+mod panel;
 mod tank;
 mod terminals;
 mod thermal;
@@ -65,7 +66,7 @@ impl PlantLook {
             parameters: settings.parameters.clone(),
             inputs: inputs.map(read).collect(),
             outputs: outputs.map(put).collect(),
-            state: plant.device().state(),
+            state: plant.device().state().into_iter().chain(plant.device().shown(rack.outputs())).collect(),
             faults: plant.acting_faults().map(ToString::to_string).collect(),
             symbols: Arc::clone(symbols),
         }
@@ -112,8 +113,16 @@ struct Picture {
 }
 
 /// One for each kind.
-const PICTURES: [Picture; 7] =
-    [conveyor::PICTURE, dosing::PICTURE, elevator::PICTURE, junction::PICTURE, motor::PICTURE, tank::PICTURE, thermal::PICTURE];
+const PICTURES: [Picture; 8] = [
+    conveyor::PICTURE,
+    dosing::PICTURE,
+    elevator::PICTURE,
+    junction::PICTURE,
+    motor::PICTURE,
+    panel::PICTURE,
+    tank::PICTURE,
+    thermal::PICTURE,
+];
 
 /// A kind without a picture of its own shows its terminals.
 const TERMINALS: Picture = Picture {

@@ -31,7 +31,7 @@ enum Step {
 }
 use Step::{Out, Set, Wait};
 
-const MOMENTS: [Row; 18] = [
+const MOMENTS: [Row; 20] = [
     Row { kind: "conveyor", title: "at rest", parameters: &[], faults: &[], steps: &[Wait(1)] },
     Row {
         kind: "conveyor",
@@ -101,6 +101,27 @@ const MOMENTS: [Row; 18] = [
         steps: &[Out(&[5]), Wait(500)],
     },
     Row {
+        kind: "panel",
+        title: "thumbwheel and display, the horn sounds",
+        parameters: &[],
+        faults: &["panel.lamp_0_1 stuck=0"],
+        steps: &[
+            Set(0, 0xFF, 0x12),
+            Set(3, 1, 1),
+            Set(4, 0xFF, 0x12),
+            Set(5, 0xFF, 0x34),
+            Out(&[3, 0, 0, 0x80, 0, 0, 0, 0, 0x09, 0xA5]),
+            Wait(10),
+        ],
+    },
+    Row {
+        kind: "panel",
+        title: "without buttons and thumbwheel, with selectors",
+        parameters: &[("buttons", -1.0), ("thumbwheel", -1.0), ("selectors", 8.0), ("lamps", 8.0), ("motor_left", -1.0)],
+        faults: &[],
+        steps: &[Set(0, 0xFF, 0x81), Set(8, 0xFF, 0x81), Out(&[3, 0, 0, 0, 0, 0x42]), Wait(10)],
+    },
+    Row {
         kind: "tank",
         title: "it fills and is drawn from",
         parameters: &[("level", 55.0)],
@@ -166,12 +187,12 @@ fn look(row: &Row) -> (PlantLook, Moment) {
     let look = PlantLook {
         kind,
         name: settings.name.clone(),
-        input: settings.input,
-        output: settings.output,
+        input: plant.inputs().start,
+        output: plant.outputs().start,
         parameters: settings.parameters.clone(),
         inputs,
         outputs,
-        state: plant.device().state(),
+        state: plant.device().state().into_iter().chain(plant.device().shown(&[0x80; 21])).collect(),
         faults: plant.acting_faults().map(ToString::to_string).collect(),
         symbols: Arc::new(symbols.into_iter().map(|(address, name)| (address.to_owned(), name.to_owned())).collect::<BTreeMap<_, _>>()),
     };
@@ -231,7 +252,8 @@ fn every_terminal_is_in_the_picture() {
         let Sizes { least, best } = size(kind);
         for size in [least, best] {
             let before = drawn(&plant, moment, size);
-            for signal in kind.signals {
+            let terminals = kind.terminals(&plant.parameters).expect("they go together");
+            for signal in terminals.signals.iter() {
                 let mut other = plant.clone();
                 let bytes = if signal.is_input() { &mut other.inputs } else { &mut other.outputs };
                 let zero = signal.raw(bytes) == 0;

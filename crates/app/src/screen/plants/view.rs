@@ -1,5 +1,7 @@
 //! What a picture asks a plant: signals by name, state, parameters, faults. Nothing that is missing is an error.
 
+use std::borrow::Cow;
+
 use sieben_sim::devices::{ANALOG_MAX, Place, Signal};
 
 use super::{Moment, PlantLook};
@@ -8,19 +10,23 @@ use crate::palette::Lit;
 /// A plant at a moment.
 pub(super) struct View<'a> {
     plant: &'a PlantLook,
+    /// Places count from the first byte of their direction.
+    signals: Cow<'static, [Signal]>,
     moment: Moment,
 }
 
 impl<'a> View<'a> {
     pub(super) fn new(plant: &'a PlantLook, moment: Moment) -> Self {
-        Self { plant, moment }
+        // Parameters that do not go together are those of no plant: the usual ones do as well.
+        let signals = plant.kind.terminals(&plant.parameters).map_or(plant.kind.signals.into(), |terminals| terminals.signals);
+        Self { plant, signals, moment }
     }
     /// The signals in the order of the table.
-    pub(super) fn signals(&self) -> &'a [Signal] {
-        self.plant.kind.signals
+    pub(super) fn signals(&self) -> &[Signal] {
+        &self.signals
     }
     /// A signal by what faults call it.
-    pub(super) fn signal(&self, name: &str) -> Option<&'a Signal> {
+    pub(super) fn signal(&self, name: &str) -> Option<&Signal> {
         self.signals().iter().find(|signal| signal.name == name)
     }
 
