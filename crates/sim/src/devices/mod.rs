@@ -195,6 +195,9 @@ pub struct Terminals {
     pub signals: Cow<'static, [Signal]>,
 }
 
+/// Signals at the addresses that parameters choose, or a message about these.
+type Arrange = fn(&[f64]) -> Result<Vec<Signal>, String>;
+
 /// A kind of device.
 pub struct Kind {
     /// What `kind` in `sieben.toml` says.
@@ -211,8 +214,8 @@ pub struct Kind {
     pub signals: &'static [Signal],
     /// What a project can choose.
     pub parameters: &'static [Parameter],
-    /// The signals with these parameters, where they choose the addresses; places count from byte 0. An error is a message.
-    arrange: Option<fn(&[f64]) -> Result<Vec<Signal>, String>>,
+    /// The signals with these parameters, where they choose the addresses; places count from byte 0.
+    arrange: Option<Arrange>,
     /// Parameters that name an output bit of whichever module, which the device shows.
     pub shown: &'static [&'static str],
     /// Makes one with these parameters, in the order of the table, and this seed.

@@ -91,7 +91,7 @@ fn shaft(canvas: &mut Canvas<'_>, view: &View<'_>, rows: usize) -> usize {
     let bottom = top + floors * rows;
     for row in top..bottom {
         let floor = (bottom - 1 - row) / rows + 1;
-        let at_floor = (bottom - 1 - row) % rows == 0;
+        let at_floor = (bottom - 1 - row).is_multiple_of(rows);
         canvas.faint_text(0, row, &if at_floor { floor.to_string() } else { " ".to_owned() });
         canvas.text(1, row, if at_floor { "╶┤" } else { " │" });
         canvas.text(3 + SHAFT, row, if at_floor { "├" } else { "│" });

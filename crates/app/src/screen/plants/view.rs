@@ -36,7 +36,7 @@ impl<'a> View<'a> {
     }
     /// Every half second the other half of a second: what flashes is on or off.
     pub(super) fn flash(&self) -> Lit {
-        Lit::when(self.moment.time_ms / 500 % 2 == 0)
+        Lit::when((self.moment.time_ms / 500).is_multiple_of(2))
     }
 
     /// The value among the bytes: a bit is 0 or 1.
