@@ -32,7 +32,8 @@ impl Scene<'_> {
             Layout::horizontal([Constraint::Fill(1), Constraint::Fill(1)]).areas(area)
         } else {
             // The one that needs less has what it needs, up to half of the room.
-            let [inputs, outputs] = groups.map(|(group, _)| u16::try_from(self.rows_of(group).len().max(2)).unwrap_or(u16::MAX).saturating_add(2));
+            let [inputs, outputs] =
+                groups.map(|(group, _)| u16::try_from(self.rows_of(group).len().max(2)).unwrap_or(u16::MAX).saturating_add(2));
             let half = area.height / 2;
             let height = if inputs <= outputs { inputs.min(half) } else { area.height.saturating_sub(outputs.min(half)) };
             Layout::vertical([Constraint::Length(height), Constraint::Fill(1)]).areas(area)
