@@ -719,6 +719,8 @@ problems! {
         "eine Adresse, an der nicht gelauscht werden kann" "Eine Adresse dieses Rechners und einen Port ab 1024 wählen, oder das Recht für kleinere geben.";
     P7103 Error "a file of a server that cannot be written" "Name a file in the folder of the project that this user may write, and look whether the disk is full."
         "eine Datei eines Servers, die nicht geschrieben werden kann" "Eine Datei im Projektordner angeben, die dieser Benutzer schreiben darf, und prüfen, ob der Datenträger voll ist.";
+    P7104 Error "something that cannot be pressed like a button" "Name an input bit, such as `I0.0`; everything else is set with `write`."
+        "etwas, das nicht wie ein Taster gedrückt werden kann" "Ein Eingangsbit nennen, etwa `E0.0`; alles andere wird mit `write` gesetzt.";
     P7113 Error "a constant that is to be set" "Change it in the source and compile again, or declare it as a variable."
         "eine Konstante, die gesetzt werden soll" "In der Quelle ändern und neu übersetzen, oder als Variable deklarieren.";
     P7125 Error "a format that does not exist" "Write one of the formats of a watch table after the colon, such as `MW10:INT`, or leave it out; `sieben explain formats` lists them."

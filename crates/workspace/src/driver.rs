@@ -140,6 +140,7 @@ impl<'g> Driver<'g> {
             plant.touch();
             self.surroundings.keep(&mut plant.cpu);
         }
+        self.desk.observed.see_mode(plant);
         let source = if plant.pace.is_real() { TimeSource::Real } else { TimeSource::Virtual };
         if plant.cpu.set_time_source(source) != source {
             plant.touch();
@@ -278,6 +279,7 @@ impl<'g> Driver<'g> {
         self.surroundings.before_scan(plant);
         self.desk.scan(plant, clock, self.gate.now_us());
         plant.scans += u64::from(scans);
+        self.desk.observed.observe(plant, self.gate.now_us());
         let took_us = plant.cpu.cycle_times().execution_last;
         // In virtual time nothing is measured.
         if scans && took_us > 0 {
