@@ -370,6 +370,7 @@ pub(super) const SENTENCES: &[Row] = &[
         "Record these too: bit memory, timers, fields of data blocks",
         "Auch diese aufzeichnen: Merker, Zeiten, Komponenten von Datenbausteinen",
     ),
+    ("No screen: print one line for each change", "Kein Bildschirm: eine Zeile je Änderung ausgeben"),
     ("Print the result as one JSON object", "Das Ergebnis als ein JSON-Objekt ausgeben"),
     // explain, fmt, convert, new
     (
