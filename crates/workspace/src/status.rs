@@ -90,6 +90,8 @@ struct Newest {
 pub struct Desk {
     /// Where changes are asked for.
     pub observed: Observed,
+    /// The past of the run.
+    pub past: Past,
     /// Blocks that are looked at for a while.
     kept: Mutex<BTreeMap<BlockId, Kept>>,
     /// Until when the last of them is, in the computer's time.
@@ -110,7 +112,6 @@ pub struct Desk {
     like: Mutex<Option<Arc<EndState>>>,
     newest: Mutex<Newest>,
     sampled: Condvar,
-    past: Past,
 }
 
 /// Blocks are looked at as long as this is there.
@@ -149,11 +150,6 @@ impl Desk {
         drop(known);
         self.onlookers.fetch_add(1, Ordering::Release);
         Look { desk: self, blocks }
-    }
-
-    /// The past of the run.
-    pub fn past(&self) -> &Past {
-        &self.past
     }
 
     /// Looks at a block for a while; `written` are the variables that its statements write.
