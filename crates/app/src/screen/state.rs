@@ -272,9 +272,10 @@ impl Screen {
     }
 
     /// Goes to the first row of the group before or after.
-    /// The chosen row: at first the first one that a digit operates.
+    /// The chosen row: at first the first input that no sensor drives.
     pub(crate) fn chosen(&self, look: &Look) -> usize {
-        self.row.unwrap_or_else(|| Self::digits(look).first().copied().unwrap_or_default())
+        let is_operated = |row: &Row| row.group == Group::Inputs && row.driver == Driver::People;
+        self.row.or_else(|| look.rows.iter().position(is_operated)).unwrap_or_default()
     }
 
     fn change_group(&mut self, command: Command, look: &Look) {
