@@ -116,8 +116,8 @@ fn main() {
             for second in 0..(seconds as usize).max(KINDS.len()) {
                 kind.store(second % KINDS.len(), Ordering::Relaxed);
                 match now().past {
-                    true => desk.past.switch_on(),
-                    false => desk.past.switch_off(),
+                    true => desk.past().keep(),
+                    false => desk.past().forget(),
                 }
                 std::thread::sleep(SLICE);
             }

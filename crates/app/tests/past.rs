@@ -4,13 +4,15 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use sieben_cpu::{Cpu, IoModule, OperatingMode, Rack, Replayer, Requester, Restart, Settings, TimeSource};
+use sieben_cpu::{Cpu, IoModule, OperatingMode, Rack, Requester, Restart, Settings, Station, TimeSource};
 use sieben_engine::{Machine, StatementEvent, Tracer};
 use sieben_jit::{Jit, StatusBits};
+use sieben_model::address::Area;
+use sieben_model::item::Item;
 use sieben_sim::names::{Name, Setting};
 use sieben_sim::wrap::{self, Fault};
 use sieben_workspace::controller;
-use sieben_workspace::past::{BYTES_MAX, Goes, LastWriter, NotKept, TIME_US_MAX, Visited, Visitor};
+use sieben_workspace::past::{BYTES_MAX, Gone, Mark, TIME_US_MAX, Viewer};
 use sieben_workspace::project::{Build, Overrides, Project};
 use sieben_workspace::status::Desk;
 use sieben_workspace::{Driver, End, Gate, Pace, Plant, Speed, Surroundings};
@@ -110,57 +112,24 @@ fn is_same(one: &Machine, other: &Machine) -> bool {
     one.memory.arena == other.memory.arena && one.timers == other.timers && one.counters == other.counters && one.clock_us == other.clock_us
 }
 
-/// Counts statements, and tells how the CPU stands at the end of each scan.
-struct Look<F> {
-    statements: u64,
-    ended: F,
-}
-
-impl<F> Tracer for Look<F> {
-    fn statement(&mut self, _: &Machine, _: &StatementEvent) {
-        self.statements += 1;
-    }
-}
-
-impl<F: FnMut(&Cpu, Visited, u64) -> Goes> Visitor for Look<F> {
-    fn tracer(&mut self) -> &mut dyn Tracer {
-        self
-    }
-    fn ended(&mut self, cpu: &Cpu, visited: Visited) -> Goes {
-        (self.ended)(cpu, visited, std::mem::take(&mut self.statements))
-    }
-}
-
-fn visit(desk: &Desk, from: u64, to: u64, replayer: &mut Replayer, ended: impl FnMut(&Cpu, Visited, u64) -> Goes) -> Result<(), NotKept> {
-    desk.past.visit(from, to, replayer, &mut Look { statements: 0, ended })
-}
-
-/// Each scan that was seen is what it was, one by one and all in a row.
 fn check(desk: &Desk, seen: &Seen, what: &str) {
-    let mut replayer = Replayer::default();
-    let compare = |cpu: &Cpu, visited: Visited| {
-        assert_eq!(visited.time_us, seen.times[&visited.scan], "{what}, scan {}", visited.scan);
-        assert!(is_same(cpu.machine(), &seen.machines[&visited.scan]), "{what}, scan {}", visited.scan);
-    };
+    let past = desk.past();
+    let (oldest, newest) = past.range().expect("a past");
+    let mut viewer = Viewer::default();
+    let mut compared = 0;
     // Back and forth, as a hand on a timeline.
-    for &scan in seen.machines.keys().rev().step_by(7).chain(seen.machines.keys().step_by(3)) {
-        let mut found = Vec::new();
-        let ended = |cpu: &Cpu, visited: Visited, _| {
-            found.push(visited.scan);
-            compare(cpu, visited);
-            Goes::No
-        };
-        assert_eq!(visit(desk, scan, scan, &mut replayer, ended), Ok(()), "{what}, scan {scan}");
-        assert_eq!(found, [scan], "{what}");
+    for &scan in seen.machines.keys().rev().step_by(7).chain(seen.machines.keys()) {
+        match viewer.at(past, scan) {
+            Err(Gone::NotKept) => assert!(scan < oldest.scan || scan > newest.scan, "{what}, scan {scan} of {oldest:?} to {newest:?}"),
+            Err(other) => panic!("{what}, scan {scan}: {other}"),
+            Ok(found) => {
+                assert_eq!(found.mark, Mark { scan, time_us: seen.times[&scan] }, "{what}");
+                assert!(is_same(found.cpu.machine(), &seen.machines[&scan]), "{what}, scan {scan}");
+                compared += 1;
+            }
+        }
     }
-    let mut all = Vec::new();
-    let ended = |cpu: &Cpu, visited: Visited, _| {
-        all.push(visited.scan);
-        compare(cpu, visited);
-        Goes::On
-    };
-    assert_eq!(visit(desk, 0, u64::MAX, &mut replayer, ended), Ok(()), "{what}");
-    assert!(all.iter().eq(seen.machines.keys()), "{what}: {all:?}");
+    assert!(compared >= seen.machines.len(), "{what}: {compared} of {}", seen.machines.len());
 }
 
 fn set(gate: &Gate, name: &str, value: &str) {
@@ -178,7 +147,7 @@ fn each_scan_of_the_examples_can_be_seen_again() {
         for modules in [Modules::OfTheProject, Modules::Wild] {
             let gate = gate(&example(name), modules);
             let (desk, mut seen) = (Desk::default(), Seen { most: 150, ..Seen::default() });
-            desk.past.switch_on();
+            desk.past().keep();
             assert_eq!(Driver::new(&gate, &desk, &mut seen).run(Restart::Warm), End::Ended);
             for (input, value) in [("I0.0", "1"), ("I0.1", "1"), ("I0.0", "0"), ("MW200", "16#1234"), ("I0.2", "1")] {
                 set(&gate, input, value);
@@ -197,7 +166,7 @@ fn each_scan_of_the_examples_can_be_seen_again() {
 fn faults_and_forces_belong_to_the_past() {
     let gate = gate(&example("tank"), Modules::OfTheProject);
     let (desk, mut seen) = (Desk::default(), Seen { most: 50, ..Seen::default() });
-    desk.past.switch_on();
+    desk.past().keep();
     assert_eq!(Driver::new(&gate, &desk, &mut seen).run(Restart::Warm), End::Ended);
     let fault = Fault::parse("tank.level stuck=0").expect("a fault");
     gate.enter(|plant| wrap::inject(plant.cpu.rack_mut(), &fault).map(drop)).expect("the gate is open").expect("the tank has a level");
@@ -208,41 +177,44 @@ fn faults_and_forces_belong_to_the_past() {
     gate.enter(|plant| plant.cpu.unforce_all()).expect("the gate is open");
     go_on(&gate, &desk, &mut seen, 120);
     check(&desk, &seen, "tank");
-    let is_forced = |scan| {
-        let mut forced = false;
-        let ended = |cpu: &Cpu, _: Visited, _| {
-            forced = !cpu.forced().is_empty();
-            Goes::No
-        };
-        visit(&desk, scan, scan, &mut Replayer::default(), ended).expect("it is kept");
-        forced
-    };
-    assert_eq!([40, 160, 200, 400].map(is_forced), [false, false, true, false]);
+    let mut viewer = Viewer::default();
+    let forced = |viewer: &mut Viewer, scan| viewer.at(desk.past(), scan).map(|seen| seen.cpu.forced().is_empty()).expect("it is kept");
+    assert_eq!([40, 160, 200, 400].map(|scan| forced(&mut viewer, scan)), [true, true, false, true]);
+}
+
+/// Counts statements.
+struct Counted(u64);
+
+impl Tracer for Counted {
+    fn statement(&mut self, _: &Machine, _: &StatementEvent) {
+        self.0 += 1;
+    }
 }
 
 #[test]
 fn one_scan_is_told_statement_by_statement() {
     let gate = gate(&example("dosing"), Modules::OfTheProject);
     let (desk, mut seen) = (Desk::default(), Seen { most: 200, ..Seen::default() });
-    desk.past.switch_on();
+    desk.past().keep();
     assert_eq!(Driver::new(&gate, &desk, &mut seen).run(Restart::Warm), End::Ended);
-    let mut replayer = Replayer::default();
+    let mut viewer = Viewer::default();
     for scan in [1, 7, 100, 101, 102, 101, 199, 3] {
-        let ended = |_: &Cpu, _: Visited, statements| {
-            assert!((10..100).contains(&statements), "scan {scan}: {statements} statements");
-            Goes::No
-        };
-        visit(&desk, scan, scan, &mut replayer, ended).expect("it is kept");
+        let mut counted = Counted(0);
+        let found = viewer.traced(desk.past(), scan, &mut counted).expect("it is kept");
+        assert_eq!(found.mark, Mark { scan, time_us: seen.times[&scan] });
+        assert!(is_same(found.cpu.machine(), &seen.machines[&scan]), "scan {scan}");
+        assert!((10..100).contains(&counted.0), "scan {scan}: {} statements", counted.0);
     }
-    assert_eq!(visit(&desk, 201, 300, &mut replayer, |_, _, _| Goes::On), Err(NotKept::Outside));
-    assert_eq!(desk.past.scan_at(seen.times[&77]), Some(77));
-    let program = gate.look(|plant| plant.cpu.program().clone()).expect("the gate is open");
-    let name = Name::parse("QW4", &sieben_model::symbols::SymbolTable::default(), &program).expect("a name");
-    for to in [50, 200] {
-        let mut writer = LastWriter::of(&name);
-        desk.past.visit(1, to, &mut replayer, &mut writer).expect("they are kept");
-        assert_eq!(writer.found.map(|writer| writer.scan), Some(to), "the display is written in every scan");
-    }
+    assert_eq!(viewer.at(desk.past(), 201).map(|_| ()), Err(Gone::NotKept));
+    let mut values = Vec::new();
+    let item = Item::area(Area::BitMemory, 0, 1);
+    let read = |found: sieben_workspace::past::Seen<'_>| {
+        values.push((found.mark.scan, found.cpu.read_items(std::slice::from_ref(&item)).len()));
+        values.len() < 50
+    };
+    viewer.each(desk.past(), (90, 1_000), read).expect("all can be replayed");
+    assert_eq!(values, (90..140).map(|scan| (scan, 1)).collect::<Vec<_>>());
+    assert_eq!(desk.past().scan_at(seen.times[&77]), Some(77));
 }
 
 #[test]
@@ -250,8 +222,8 @@ fn the_past_has_bounds() {
     let gate = gate(&example("dosing"), Modules::OfTheProject);
     let (desk, mut seen) = (Desk::default(), Seen { most: 1, ..Seen::default() });
     assert_eq!(Driver::new(&gate, &desk, &mut seen).run(Restart::Warm), End::Ended);
-    assert_eq!(desk.past.extent(), None, "it is not kept without being asked");
-    desk.past.switch_on();
+    assert_eq!(desk.past().range(), None, "it is not kept without being asked");
+    desk.past().keep();
     let quicker = |plant: &mut Plant| {
         plant.pace.set_speed(Speed::Max, 0);
         plant.pace.cycle_us = 100_000;
@@ -263,13 +235,12 @@ fn the_past_has_bounds() {
         go_on(&gate, &desk, &mut Seen::default(), 10);
     }
     go_on(&gate, &desk, &mut Seen::default(), 9_000);
-    let (oldest, newest) = desk.past.extent().expect("a past");
+    let (oldest, newest) = desk.past().range().expect("a past");
     assert!(newest.time_us - oldest.time_us <= TIME_US_MAX + 2_000_000, "{oldest:?} to {newest:?}");
     assert!(newest.time_us - oldest.time_us >= TIME_US_MAX - 2_000_000, "{oldest:?} to {newest:?}");
-    assert!(desk.past.bytes() <= BYTES_MAX, "{}", desk.past.bytes());
-    let before = visit(&desk, 0, oldest.scan - 1, &mut Replayer::default(), |_, _, _| Goes::On);
-    assert_eq!(before, Err(NotKept::Outside));
-    desk.past.switch_off();
+    assert!(desk.past().bytes() <= BYTES_MAX, "{}", desk.past().bytes());
+    assert_eq!(Viewer::default().at(desk.past(), oldest.scan.saturating_sub(1)).map(|_| ()), Err(Gone::NotKept));
+    desk.past().forget();
     go_on(&gate, &desk, &mut Seen::default(), 10);
-    assert_eq!((desk.past.extent(), desk.past.bytes()), (None, 0));
+    assert_eq!((desk.past().range(), desk.past().bytes()), (None, 0));
 }

@@ -9,8 +9,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use sieben_cpu::{Cpu, NotReplayed, OperatingMode, Recording, Replayer, Step};
-use sieben_engine::{FaultPlace, Machine, StatementEvent, Stored, Tracer};
-use sieben_sim::names::Name;
+use sieben_engine::Tracer;
 
 use crate::gate::Plant;
 
@@ -23,9 +22,9 @@ const STEPS_MAX: usize = 100;
 /// Longest stretch, in microseconds of the CPU's time.
 const STRETCH_US: u64 = 1_000_000;
 
-/// The end of a step, and of a scan that is seen again.
+/// The end of a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Visited {
+pub struct Mark {
     /// Scans of the run up to it.
     pub scan: u64,
     /// The time of the CPU.
@@ -36,19 +35,24 @@ pub struct Visited {
 #[derive(Clone, Debug)]
 struct Stretch {
     /// Before the first step.
-    begins: Visited,
+    begins: Mark,
     recording: Recording,
     /// After each step.
-    marks: Vec<Visited>,
+    marks: Vec<Mark>,
 }
 
 impl Stretch {
-    fn ends(&self) -> Visited {
+    fn ends(&self) -> Mark {
         self.marks.last().copied().unwrap_or(self.begins)
     }
 
+    /// How many steps lead to the end of a scan, without what came between it and the next one.
+    fn steps_to(&self, scan: u64) -> usize {
+        if scan <= self.begins.scan { 0 } else { (self.marks.partition_point(|mark| mark.scan < scan) + 1).min(self.marks.len()) }
+    }
+
     /// Where the CPU is after so many steps.
-    fn mark(&self, steps: usize) -> Visited {
+    fn mark(&self, steps: usize) -> Mark {
         steps.checked_sub(1).and_then(|last| self.marks.get(last)).copied().unwrap_or(self.begins)
     }
 }
@@ -62,69 +66,55 @@ struct Kept {
     bytes: usize,
 }
 
-/// The past of a run. It is kept from [`Self::switch_on`] on.
+/// The past of a run. It is kept from [`Self::keep`] on.
 #[derive(Default)]
 pub struct Past {
     is_kept: AtomicBool,
     kept: Mutex<Kept>,
 }
 
-/// Why a scan of the past cannot be seen.
+/// Why a scan of the past cannot be shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum NotKept {
-    /// It is older or newer than what is kept.
-    Outside,
+pub enum Gone {
+    /// It is not kept any more, or not yet.
+    NotKept,
     /// It cannot be replayed.
     NotReplayed(NotReplayed),
 }
 
-impl std::fmt::Display for NotKept {
+impl std::fmt::Display for Gone {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
-            Self::Outside => f.write_str("the past does not reach to this scan"),
+            Self::NotKept => f.write_str("the past does not reach to this scan"),
             Self::NotReplayed(why) => why.fmt(f),
         }
     }
 }
 
-impl std::error::Error for NotKept {}
+impl std::error::Error for Gone {}
 
-impl From<NotReplayed> for NotKept {
+impl From<NotReplayed> for Gone {
     fn from(why: NotReplayed) -> Self {
         Self::NotReplayed(why)
     }
 }
 
-/// Whether a visit goes on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Goes {
-    /// To the next scan.
-    On,
-    /// No further.
-    No,
-}
-
-/// Who sees scans of the past.
-pub trait Visitor {
-    /// What is told the statements of the next step.
-    fn tracer(&mut self) -> &mut dyn Tracer;
-    /// A scan has ended, and so the CPU stands.
-    fn ended(&mut self, cpu: &Cpu, visited: Visited) -> Goes;
+/// A CPU at the end of a scan of the past.
+pub struct Seen<'v> {
+    /// Which scan, and when it ended.
+    pub mark: Mark,
+    /// The CPU, in the interpreter.
+    pub cpu: &'v Cpu,
 }
 
 impl Past {
     /// From now on the past is kept.
-    pub fn switch_on(&self) {
+    pub fn keep(&self) {
         self.is_kept.store(true, Ordering::Relaxed);
     }
 
-    /// Whether it is kept.
-    pub fn is_on(&self) -> bool {
-        self.is_kept.load(Ordering::Relaxed)
-    }
-
     /// Forgets it; from now on it is not kept.
-    pub fn switch_off(&self) {
+    pub fn forget(&self) {
         self.is_kept.store(false, Ordering::Relaxed);
         *self.lock() = Kept::default();
     }
@@ -144,7 +134,7 @@ impl Past {
         // The thread that scans counts afterwards.
         let scan = plant.scans + u64::from(step == Step::Scan && plant.cpu.mode() != OperatingMode::Stop);
         let done = stretch.recording.step(plant, (|plant: &mut Plant| &mut plant.cpu, step), clock, run);
-        stretch.marks.push(Visited { scan, time_us: plant.cpu.time_us() });
+        stretch.marks.push(Mark { scan, time_us: plant.cpu.time_us() });
         if self.is_kept.load(Ordering::Relaxed) {
             self.lock().open = Some(stretch);
         }
@@ -163,19 +153,19 @@ impl Past {
         if let Some(like) = like {
             self.lock().close(like);
         }
-        Stretch { begins: Visited { scan: plant.scans, time_us: plant.cpu.time_us() }, recording, marks: Vec::new() }
+        Stretch { begins: Mark { scan: plant.scans, time_us: plant.cpu.time_us() }, recording, marks: Vec::new() }
     }
 
     fn lock(&self) -> MutexGuard<'_, Kept> {
         self.kept.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// The oldest and the newest scan that are kept.
-    pub fn extent(&self) -> Option<(Visited, Visited)> {
+    /// The ends of the oldest and of the newest scan that are kept.
+    pub fn range(&self) -> Option<(Mark, Mark)> {
         let kept = self.lock();
         let first = kept.closed.front().map(|stretch| &**stretch).or(kept.open.as_ref())?;
         let last = kept.open.as_ref().or(kept.closed.back().map(|stretch| &**stretch))?;
-        Some((first.mark(1), last.ends()))
+        Some((first.begins, last.ends()))
     }
 
     /// The memory that it takes, by an estimate.
@@ -192,42 +182,16 @@ impl Past {
         Some(stretch.mark(stretch.marks.partition_point(|mark| mark.time_us <= time_us)).scan)
     }
 
-    /// Replays the scans from one to another that are kept, in order; the visitor is told of the end of each, and its tracer of their statements and
-    /// of what interrupted between them.
-    ///
-    /// # Errors
-    /// None of them is kept, or one cannot be replayed.
-    pub fn visit(&self, from: u64, to: u64, replayer: &mut Replayer, visitor: &mut dyn Visitor) -> Result<(), NotKept> {
-        let stretches = self.stretches(from, to);
-        let mut is_seen = false;
-        for stretch in stretches {
-            // The first step that ends a wanted scan; those before it are replayed without being told.
-            let first = stretch.marks.partition_point(|mark| mark.scan < from);
-            for (index, &visited) in stretch.marks.iter().enumerate().skip(first) {
-                if visited.scan > to {
-                    return Ok(());
-                }
-                let cpu = replayer.play(&stretch.recording, index + 1, Some(visitor.tracer()))?;
-                // A step in STOP, and one between two scans, ends none.
-                if visited.scan == stretch.mark(index).scan {
-                    continue;
-                }
-                is_seen = true;
-                if visitor.ended(cpu, visited) == Goes::No {
-                    return Ok(());
-                }
-            }
-        }
-        if is_seen { Ok(()) } else { Err(NotKept::Outside) }
-    }
-
-    /// The stretches that have something of these scans.
-    fn stretches(&self, from: u64, to: u64) -> Vec<Arc<Stretch>> {
+    /// The stretch in which a scan ended.
+    fn stretch(&self, scan: u64) -> Option<Arc<Stretch>> {
         let kept = self.lock();
-        let has = |stretch: &Stretch| stretch.begins.scan < to && from <= stretch.ends().scan;
-        let first = kept.closed.partition_point(|stretch| stretch.ends().scan < from);
-        let closed = kept.closed.iter().skip(first).take_while(|stretch| stretch.begins.scan < to).map(Arc::clone);
-        closed.chain(kept.open.iter().filter(|open| has(open)).map(|open| Arc::new(open.clone()))).collect()
+        // One that begins with the scan has what was changed after it already; only the very first one has nothing before.
+        let after = kept.closed.partition_point(|stretch| stretch.begins.scan < scan);
+        if let Some(open) = kept.open.as_ref().filter(|open| open.begins.scan < scan || after == 0 && kept.closed.is_empty()) {
+            return (open.begins.scan <= scan && scan <= open.ends().scan).then(|| Arc::new(open.clone()));
+        }
+        let stretch = kept.closed.get(after.saturating_sub(1))?;
+        (stretch.begins.scan <= scan && scan <= stretch.ends().scan).then(|| Arc::clone(stretch))
     }
 }
 
@@ -256,56 +220,53 @@ impl Kept {
     }
 }
 
-/// What stored to a place last.
-#[derive(Clone, Debug)]
-pub struct Writer {
-    /// The statement.
-    pub place: FaultPlace,
-    /// The scan.
-    pub scan: u64,
+/// Who looks at the past; a look at a later scan of the same stretch goes on from the last one.
+#[derive(Default)]
+pub struct Viewer {
+    replayer: Replayer,
 }
 
-/// Finds the last statement that stored to a name.
-pub struct LastWriter<'n> {
-    name: &'n Name,
-    /// The statement since the end of the last scan that stored.
-    stores: Option<FaultPlace>,
-    /// One stores that has not ended yet.
-    pending: bool,
-    /// The last one of all scans so far.
-    pub found: Option<Writer>,
-}
-
-impl<'n> LastWriter<'n> {
-    /// For this name.
-    pub fn of(name: &'n Name) -> Self {
-        Self { name, stores: None, pending: false, found: None }
+impl Viewer {
+    /// The CPU at the end of a scan, before anything that came between it and the next one.
+    ///
+    /// # Errors
+    /// The scan is not kept, or cannot be replayed.
+    pub fn at(&mut self, past: &Past, scan: u64) -> Result<Seen<'_>, Gone> {
+        self.look(past, scan, None)
     }
-}
 
-impl Tracer for LastWriter<'_> {
-    fn statement(&mut self, _: &Machine, event: &StatementEvent) {
-        // What stores is told before the statement has ended.
-        if std::mem::take(&mut self.pending) {
-            self.stores = Some(event.place);
+    /// As [`Self::at`], with a tracer that is told each statement of the scan.
+    ///
+    /// # Errors
+    /// The scan is not kept, or cannot be replayed.
+    pub fn traced(&mut self, past: &Past, scan: u64, tracer: &mut dyn Tracer) -> Result<Seen<'_>, Gone> {
+        self.look(past, scan, Some(tracer))
+    }
+
+    fn look(&mut self, past: &Past, scan: u64, tracer: Option<&mut dyn Tracer>) -> Result<Seen<'_>, Gone> {
+        let stretch = past.stretch(scan).ok_or(Gone::NotKept)?;
+        let steps = stretch.steps_to(scan);
+        let cpu = self.replayer.play(&stretch.recording, steps, tracer)?;
+        Ok(Seen { mark: stretch.mark(steps), cpu })
+    }
+
+    /// Looks at the ends of all scans from one to another that are kept, in order; ends when `look` answers `false`.
+    ///
+    /// # Errors
+    /// One of them cannot be replayed.
+    pub fn each(&mut self, past: &Past, (from, to): (u64, u64), mut look: impl FnMut(Seen<'_>) -> bool) -> Result<(), Gone> {
+        let Some((oldest, newest)) = past.range() else { return Ok(()) };
+        let mut scan = from.max(oldest.scan);
+        while scan <= to.min(newest.scan) {
+            let Some(stretch) = past.stretch(scan) else { return Ok(()) };
+            for scan in scan..=to.min(stretch.ends().scan) {
+                let steps = stretch.steps_to(scan);
+                if !look(Seen { mark: stretch.mark(steps), cpu: self.replayer.play(&stretch.recording, steps, None)? }) {
+                    return Ok(());
+                }
+            }
+            scan = stretch.ends().scan + 1;
         }
-    }
-
-    fn stores(&mut self, machine: &Machine, stored: Stored) {
-        self.pending |= self.name.is_stored(machine, &machine.registers, &stored);
-    }
-}
-
-impl Visitor for LastWriter<'_> {
-    fn tracer(&mut self) -> &mut dyn Tracer {
-        self
-    }
-
-    fn ended(&mut self, _: &Cpu, visited: Visited) -> Goes {
-        if let Some(place) = self.stores.take() {
-            self.found = Some(Writer { place, scan: visited.scan });
-        }
-        self.pending = false;
-        Goes::On
+        Ok(())
     }
 }

@@ -90,8 +90,6 @@ struct Newest {
 pub struct Desk {
     /// Where changes are asked for.
     pub observed: Observed,
-    /// The past of the run.
-    pub past: Past,
     /// Blocks that are looked at for a while.
     kept: Mutex<BTreeMap<BlockId, Kept>>,
     /// Until when the last of them is, in the computer's time.
@@ -112,6 +110,7 @@ pub struct Desk {
     like: Mutex<Option<Arc<EndState>>>,
     newest: Mutex<Newest>,
     sampled: Condvar,
+    past: Past,
 }
 
 /// Blocks are looked at as long as this is there.
@@ -150,6 +149,11 @@ impl Desk {
         drop(known);
         self.onlookers.fetch_add(1, Ordering::Release);
         Look { desk: self, blocks }
+    }
+
+    /// The past of the run.
+    pub fn past(&self) -> &Past {
+        &self.past
     }
 
     /// Looks at a block for a while; `written` are the variables that its statements write.
