@@ -17,6 +17,7 @@ mod glob;
 mod instances;
 mod linking;
 mod output;
+mod page;
 mod palette;
 mod panics;
 mod paths;

@@ -394,6 +394,17 @@ problems! {
     P7103 Error "a file of a server that cannot be written" "Name a file in the folder of the project that this user may write, and look whether the disk is full.";
     P7125 Error "a format that does not exist" "Write one of the formats of a watch table after the colon, such as `MW10:INT`, or leave it out; `sieben explain formats` lists them.";
     P7126 Error "a format that does not fit the value" "Choose a format for as many bits as the value has, or leave it out; `sieben explain formats` says what each one shows.";
+    P7130 Error "a page that asks for too much" "Ask for less at a time; `docs/reference/page-server.md` has the limits.";
+    P7131 Error "a message that the page server does not understand" "Reload the page; a program of your own finds the messages in `docs/reference/page-server.md` and the paths in `/api/v1/openapi.json`.";
+    P7132 Error "a page without its token" "Open the address with `?token=` that was printed when the run began, or send `Authorization: Bearer` with the token.";
+    P7133 Error "a page that may only look" "Use the first of the two tokens that were printed when the run began.";
+    P7134 Error "a request of another page" "Open the page of the run itself; no other page is let in.";
+    P7135 Error "a request for another server" "Use the address that was printed when the run began.";
+    P7136 Error "requests that come too often" "Wait a second, and ask less often.";
+    P7137 Error "an address that the page server does not have" "`/api/v1/openapi.json` describes the interface; the page is at `/`, the book at `/docs/`.";
+    P7138 Error "a method that an address does not take" "`/api/v1/openapi.json` says which methods each address takes.";
+    P7139 Error "a scan that is not kept" "Choose one between `oldest` and `newest`.";
+    P7140 Error "a token that cannot be kept" "Look whether this user may write in the folder of the project, and whether the file is this user's and has the mode 0600.";
 
     // 8xxx run time
     P8001 Error "the CPU went to STOP" "Read the diagnostic buffer: it names the block and the statement.";

@@ -6,10 +6,10 @@
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
-use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::time::Duration;
 
-use sieben_cpu::{EndState, NotReplayed, RecordedScan, Replayer};
+use sieben_cpu::{Cpu, EndState, NotReplayed, RecordedScan, Replayer};
 use sieben_engine::machine::Registers;
 use sieben_engine::{Machine, StatementEvent, Tracer};
 use sieben_model::block::BlockId;
@@ -50,6 +50,16 @@ pub struct Sample {
 /// What came of a look at the status.
 pub type Looked = Result<Arc<Sample>, NotReplayed>;
 
+/// Sees each scan that is replayed, in the thread that replays.
+pub trait Onlooker: Send + Sync {
+    /// A statement of a block that is looked at was executed; the machine is as it left it.
+    fn statement(&self, machine: &Machine, event: &StatementEvent) {
+        let _ = (machine, event);
+    }
+    /// The scan has ended, and so the CPU stands: a copy that only this sees.
+    fn ended(&self, cpu: &Cpu, sample: &Arc<Sample>);
+}
+
 /// A recording with its place in the run.
 struct Recorded {
     scan: RecordedScan,
@@ -83,6 +93,8 @@ pub struct Desk {
     like: Mutex<Option<Arc<EndState>>>,
     newest: Mutex<Newest>,
     sampled: Condvar,
+    /// Sees each scan that is replayed, if anything does.
+    onlooker: OnceLock<Arc<dyn Onlooker>>,
 }
 
 /// Blocks are looked at as long as this is there.
@@ -146,6 +158,12 @@ impl Desk {
         self.came.notify_all();
     }
 
+    /// From now on this sees each scan that is replayed; what was said first holds.
+    pub fn set_onlooker(&self, onlooker: Arc<dyn Onlooker>) {
+        // The second call has nothing to add.
+        let _ = self.onlooker.set(onlooker);
+    }
+
     /// How many scans were recorded: these took longer than others.
     pub fn recordings(&self) -> u64 {
         self.recordings.load(Ordering::Relaxed)
@@ -169,10 +187,13 @@ impl Desk {
                 .wait_timeout_while(recorded, Duration::from_millis(200), |recorded| recorded.is_none())
                 .unwrap_or_else(PoisonError::into_inner);
             let Some(recorded) = ({ recorded }).take() else { continue };
-            let looked = self.sample(&recorded, &mut replayer);
+            let looked = self.sample(&recorded, &mut replayer).map(Arc::new);
+            if let (Ok(sample), Some(onlooker), Some(cpu)) = (&looked, self.onlooker.get(), replayer.cpu()) {
+                onlooker.ended(cpu, sample);
+            }
             let mut newest = lock(&self.newest);
             newest.number += 1;
-            newest.looked = Some(looked.map(Arc::new));
+            newest.looked = Some(looked);
             drop(newest);
             self.sampled.notify_all();
         }
@@ -180,9 +201,10 @@ impl Desk {
 
     fn sample(&self, recorded: &Recorded, replayer: &mut Replayer) -> Result<Sample, NotReplayed> {
         let blocks = lock(&self.blocks).keys().copied().collect();
-        let mut collector = Collector { blocks, statements: BTreeMap::new() };
+        let onlooker = self.onlooker.get().map(AsRef::as_ref);
+        let mut collector = Collector { blocks, statements: BTreeMap::new(), onlooker };
         let same = recorded.scan.replay(replayer, &mut collector)?;
-        let Collector { blocks, statements } = collector;
+        let Collector { blocks, statements, .. } = collector;
         Ok(Sample { scan: recorded.number, time_us: recorded.time_us, same, blocks, statements })
     }
 
@@ -201,16 +223,20 @@ impl Desk {
 }
 
 /// Keeps what the statements of some blocks found and left.
-struct Collector {
+struct Collector<'o> {
     blocks: Vec<BlockId>,
     statements: BTreeMap<(BlockId, u32), StatementStatus>,
+    onlooker: Option<&'o dyn Onlooker>,
 }
 
-impl Tracer for Collector {
-    fn statement(&mut self, _: &Machine, event: &StatementEvent) {
+impl Tracer for Collector<'_> {
+    fn statement(&mut self, machine: &Machine, event: &StatementEvent) {
         let place = (event.place.block, event.place.statement);
         if !self.blocks.contains(&place.0) {
             return;
+        }
+        if let Some(onlooker) = self.onlooker {
+            onlooker.statement(machine, event);
         }
         let full = self.statements.len() >= STATEMENTS_MAX;
         match self.statements.entry(place) {

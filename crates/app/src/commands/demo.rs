@@ -11,9 +11,10 @@ use crate::control::Server;
 use crate::duration::duration_argument;
 use crate::engines::EngineArgument;
 use crate::failure::{Exit, Failure};
+use crate::page::Answers;
 use crate::palette::Palette;
 use crate::screen::{self, CYCLE_US, Entry, Event, Outcome, Session, clock, thousands};
-use crate::servers::{Prepared, ServerArguments, Servers};
+use crate::servers::{Prepared, PreparedPage, ServerArguments, Servers, Usually};
 use crate::{output, terminal};
 
 /// The speeds of the picture.
@@ -56,6 +57,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         speed => speed,
     };
     let prepared = Prepared::of_demo(&arguments.servers)?;
+    // Without a screen there is no user who could look at a page that was not asked for.
+    let usually = if has_screen { Usually::With } else { Usually::Without };
+    let prepared_page = arguments.servers.prepare_page(None, None, usually)?;
     let session = Arc::new(Session::new(speed, arguments.time));
     let interrupted = Arc::clone(&session);
     terminal::on_interrupt(move || interrupted.end());
@@ -68,6 +72,14 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
             // The run has just begun, and nothing else closes the gate.
             true => drop(session.note(servers.text().trim_end())),
             false => output::message(&servers.text()),
+        }
+    }
+    let start_page = |page: PreparedPage| page.start((&session.gate, &session.desk, &session.facts), servers.as_ref(), Box::new(Answers));
+    let page = prepared_page.map(start_page).transpose()?;
+    if let Some(page) = &page {
+        match has_screen {
+            true => drop(session.note(page.text().trim_end())),
+            false => output::message(&page.text()),
         }
     }
     let metrics = arguments.servers.start_metrics(&session.gate, servers.as_ref())?;
@@ -84,6 +96,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         print_changes(&session)?;
     }
     drop(metrics);
+    drop(page);
     if let Some(lost) = servers.as_mut().and_then(Servers::end) {
         output::message(&lost);
     }

@@ -36,6 +36,13 @@ pub struct Replayer {
     cpu: Option<Cpu>,
 }
 
+impl Replayer {
+    /// The CPU as the last replay left it.
+    pub fn cpu(&self) -> Option<&Cpu> {
+        self.cpu.as_ref()
+    }
+}
+
 /// Why a scan cannot be replayed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NotReplayed {

@@ -96,6 +96,10 @@ impl Plant {
     pub fn device(&self) -> &Device {
         &self.device
     }
+    /// What the CPU has put out.
+    pub fn commands(&self) -> &[u8] {
+        &self.commands
+    }
     /// What it is.
     pub fn kind(&self) -> &'static Kind {
         self.device.settings().kind
