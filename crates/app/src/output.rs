@@ -1,6 +1,7 @@
 //! Results on standard output, messages on standard error; a reader that goes away is no mistake.
 
 use std::io::{self, IsTerminal, Write};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use sieben_model::problems::Problem;
 use sieben_model::visible::{self, visible};
@@ -63,13 +64,46 @@ pub(crate) fn message_json(value: &serde_json::Value) {
     styled(&json_text(value, true));
 }
 
-/// Prints a message with colours, in which all that others wrote was made visible before.
+/// Messages that wait while a screen has the terminal.
+static HELD: Mutex<Option<Vec<String>>> = Mutex::new(None);
+
+/// Messages that wait at most; what comes then is dropped.
+const HELD_MAX: usize = 1_000;
+
+fn waiting() -> MutexGuard<'static, Option<Vec<String>>> {
+    HELD.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// From now on messages wait: a screen has the terminal.
+pub(crate) fn hold() {
+    waiting().get_or_insert_default();
+}
+
+/// The messages that wait, for the screen to show.
+pub(crate) fn held() -> Vec<String> {
+    waiting().as_mut().map(std::mem::take).unwrap_or_default()
+}
+
+/// The terminal is free again: what still waits is printed.
+pub(crate) fn release() {
+    for text in waiting().take().unwrap_or_default() {
+        styled(&text);
+    }
+}
+
+/// Prints a message with colours, in which all that others wrote was made visible before. While a screen has the terminal it waits.
 pub(crate) fn styled(text: &str) {
+    if let Some(held) = waiting().as_mut() {
+        if held.len() < HELD_MAX {
+            held.push(text.to_owned());
+        }
+        return;
+    }
     let _ = io::stderr().lock().write_all(text.as_bytes());
 }
 
 /// Whether messages may be coloured.
 pub(crate) fn colour() -> bool {
     let unset = |name: &str| std::env::var_os(name).is_none_or(|value| value.is_empty());
-    io::stderr().is_terminal() && unset("NO_COLOR") && std::env::var_os("TERM").is_none_or(|term| term != "dumb")
+    io::stderr().is_terminal() && waiting().is_none() && unset("NO_COLOR") && std::env::var_os("TERM").is_none_or(|term| term != "dumb")
 }

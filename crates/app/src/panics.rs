@@ -4,7 +4,7 @@ use std::cell::{Cell, RefCell};
 use std::panic::{self, AssertUnwindSafe};
 
 use crate::failure::Exit;
-use crate::output;
+use crate::{output, terminal};
 
 thread_local! {
     /// Whether a mistake in this thread is survived: see [`survive`].
@@ -27,12 +27,14 @@ pub(crate) fn install() {
             SURVIVED.replace(format!("{what}{place}"));
             return;
         }
+        // The message belongs to the screen that the user came from.
+        terminal::give_back();
         output::message(&format!(
             "\nThis is our mistake, not yours: Sieben {} broke an assumption of its own{place}:\n  {what}\n\
              Please report it with the command and the files that led here. `RUST_BACKTRACE=1` shows more.\n",
             env!("CARGO_PKG_VERSION"),
         ));
-        // The terminal of the demo may still be in its own mode; the process ends here in any thread.
+        // The process ends here in any thread.
         std::process::exit(Exit::Internal as i32);
     }));
 }

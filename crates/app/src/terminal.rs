@@ -5,16 +5,63 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
-use ratatui::DefaultTerminal;
-use ratatui::crossterm::event::{self, Event, KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
+use ratatui::backend::CrosstermBackend;
+use ratatui::crossterm::cursor::Show;
+use ratatui::crossterm::event::{Event, KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
+use ratatui::crossterm::terminal::{self, Clear, ClearType, EnterAlternateScreen, LeaveAlternateScreen};
+use ratatui::crossterm::{event, execute};
+use ratatui::{DefaultTerminal, Terminal};
 use sieben_model::problems::Problem;
 
 use crate::failure::Failure;
+use crate::output;
 
 /// Whether input and output are a terminal that can be drawn on.
 pub(crate) fn has_screen() -> bool {
-    let capable = std::env::var_os("TERM").is_none_or(|term| term != "dumb");
-    io::stdout().is_terminal() && io::stdin().is_terminal() && capable
+    io::stdout().is_terminal() && io::stdin().is_terminal() && is_capable()
+}
+
+/// Whether a terminal that is there can be drawn on: `TERM` says what it understands, and on Unix one without it is not known to understand anything.
+fn is_capable() -> bool {
+    match std::env::var_os("TERM") {
+        Some(term) => !term.is_empty() && term != "dumb",
+        None => cfg!(not(unix)),
+    }
+}
+
+/// Whether results go to a terminal that cannot be drawn on.
+pub(crate) fn is_without_screen() -> bool {
+    io::stdout().is_terminal() && io::stdin().is_terminal() && !is_capable()
+}
+
+/// A screen has the terminal.
+static IS_TAKEN: AtomicBool = AtomicBool::new(false);
+
+/// Takes over the terminal for a screen; messages wait from now on.
+///
+/// # Errors
+/// The terminal does not work; it is as it was.
+pub(crate) fn take() -> io::Result<DefaultTerminal> {
+    terminal::enable_raw_mode()?;
+    IS_TAKEN.store(true, Ordering::SeqCst);
+    output::hold();
+    // Not every terminal has an empty second screen.
+    let entered = execute!(io::stdout(), EnterAlternateScreen, Clear(ClearType::All));
+    let display = entered.and_then(|()| Terminal::new(CrosstermBackend::new(io::stdout())));
+    if display.is_err() {
+        give_back();
+    }
+    display
+}
+
+/// Gives the terminal back if a screen has it: before a message about our own mistake. It may be called from any thread, and more than once.
+pub(crate) fn give_back() {
+    if IS_TAKEN.swap(false, Ordering::SeqCst) {
+        // A terminal that has gone takes nothing back.
+        let _ = terminal::disable_raw_mode();
+        let _ = execute!(io::stdout(), LeaveAlternateScreen, Show);
+    }
+    output::release();
 }
 
 /// Whether results go to a terminal, and not into a file or another program.
@@ -98,9 +145,11 @@ pub(crate) fn input(wait: Duration) -> io::Result<Input> {
 /// Gives the terminal back as it was. One that has gone takes nothing back, not even the complaint about that, which would panic.
 pub(crate) fn restore(mut display: DefaultTerminal) {
     let cursor = display.show_cursor();
+    IS_TAKEN.store(false, Ordering::SeqCst);
     if ratatui::try_restore().and(cursor).is_err() {
         std::mem::forget(display);
     }
+    output::release();
 }
 
 /// Waits until something can be read, so long at most; whether the terminal has gone.

@@ -39,8 +39,19 @@ struct Prepared {
     loaded: Loaded,
 }
 
-/// What is said about a change, by the one who knows how to write beside the status line.
-pub(crate) type Say<'a> = &'a dyn Fn(&str);
+/// What is said about a change, by the one who knows where it is shown.
+pub(crate) type Say<'a> = &'a mut dyn FnMut(&str);
+
+/// What becomes of a change that values are lost by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Losses {
+    /// It is taken over.
+    Accepted,
+    /// The user is asked, where a terminal is there.
+    Asked,
+    /// It is not taken over: a screen has the terminal.
+    Refused,
+}
 
 /// The watched sources of a run.
 pub(crate) struct Watch {
@@ -63,7 +74,7 @@ impl Watch {
         (program, overrides): (&ProgramArguments, Overrides),
         engine: EngineArgument,
         build: &Build,
-        accept_losses: bool,
+        losses: Losses,
     ) -> Result<Self, Failure> {
         let (sender, found) = sync_channel(0);
         let looking = Looking {
@@ -77,7 +88,13 @@ impl Watch {
         };
         // Nobody waits for the thread: it ends with the process, or when the run no longer listens.
         let _ = std::thread::Builder::new().name("watch".to_owned()).spawn(move || looking.look(stamps, &sender));
-        Ok(Self { found, answers: std::io::stdin().is_terminal().then(lines), accept_losses, pending: None, changes: 0 })
+        Ok(Self {
+            found,
+            answers: (losses == Losses::Asked && std::io::stdin().is_terminal()).then(lines),
+            accept_losses: losses == Losses::Accepted,
+            pending: None,
+            changes: 0,
+        })
     }
 
     /// Between two scans: takes over what is ready. `build` is that of the running program.
@@ -104,7 +121,7 @@ impl Watch {
         self.pending = None;
         if change.is_empty() {
             // Comments, spaces, names: the lines of the sources are others all the same.
-            self.take_over(prepared, cpu, build, &|_| ());
+            self.take_over(prepared, cpu, build, &mut |_| ());
             return;
         }
         say(&visible(&format!("The sources have changed: {}.\n{}", online_change::blocks(&change), online_change::details(&change))));

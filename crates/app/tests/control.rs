@@ -275,6 +275,80 @@ fn every_verb_has_its_answer() {
 }
 
 #[test]
+fn what_the_screen_asks_for_is_there_for_everyone() {
+    let folder = project();
+    let mut run = Running::of_project(&folder, &[]);
+    let mut client = run.client();
+
+    let names = client.ask(json!({ "verb": "names" }));
+    let rows = names["rows"].as_array().expect("rows");
+    let row = |address: &str| rows.iter().find(|row| row["address"] == address).unwrap_or_else(|| panic!("{address}: {names}"));
+    assert_eq!((&names["total"], &names["next"]), (&json!(rows.len()), &Value::Null));
+    assert_eq!((&row("I 0.0")["item"], &row("I 0.0")["symbol"], &row("I 0.0")["terminal"]), (&json!("I 0.0"), &json!(""), &Value::Null));
+    assert!(rows.iter().any(|row| row["address"] == "MW 20"), "{names}");
+
+    let plants = client.ask(json!({ "verb": "plants" }));
+    let tank = &plants["plants"][0];
+    assert_eq!(
+        (&tank["module"], &tank["kind"], &tank["input"], &tank["output"]),
+        (&json!("tank"), &json!("tank"), &json!(256), &json!(256))
+    );
+    assert_eq!((tank["inputs"].as_str().map(str::len), tank["outputs"].as_str().map(str::len)), (Some(8), Some(8)), "{tank}");
+    let signals = tank["signals"].as_array().expect("signals");
+    assert!(signals.iter().any(|signal| signal["address"] == "I 256.0" && signal["direction"] == "sensor"), "{tank}");
+    assert!(tank["state"].as_array().is_some_and(|state| state.iter().all(|row| row["value"].is_number())), "{tank}");
+
+    // Where OB 1 does more than call it is what a screen begins with.
+    let listing = client.ask(json!({ "verb": "listing" }));
+    assert_eq!((&listing["block"], &listing["form"], &listing["next"]), (&json!("OB 1"), &json!("statements"), &Value::Null));
+    let texts: Vec<&str> = listing["lines"].as_array().expect("lines").iter().filter_map(|line| line["text"].as_str()).collect();
+    assert_eq!(texts, ["CALL FC 1", "L DB1.DBW 0", "T MW 20", "A M 50.0", "CC FC 2", "A I 0.0", "= Q 0.0"]);
+    assert_eq!(listing["lines"][5]["file"].as_str().map(|file| file.ends_with("main.awl")), Some(true), "{listing}");
+    let part = client.ask(json!({ "verb": "listing", "block": "FC 1", "from": 2 }));
+    assert_eq!(part["lines"].as_array().map(Vec::len), Some(2), "{part}");
+    for block in ["FC 77", "DB 1", "SFC 46"] {
+        assert_eq!(client.ask(json!({ "verb": "listing", "block": block }))["error"]["code"], "P7095", "{block}");
+    }
+
+    // Changes are seen from the first request on.
+    let newest = client.ask(json!({ "verb": "changes" }))["newest"].as_u64().expect("a number");
+    let scans = client.ask(json!({ "verb": "state" }))["scans"].as_u64();
+    until("a scan compares", || (client.ask(json!({ "verb": "state" }))["scans"].as_u64() > scans.map(|scans| scans + 1)).then_some(()));
+    client.ask(json!({ "verb": "write", "values": { "I0.0": 1 } }));
+    let change = until("the output changes", || {
+        let changes = client.ask(json!({ "verb": "changes", "after": newest }));
+        changes["entries"].as_array().into_iter().flatten().find(|entry| entry["address"] == "Q 0.0").cloned()
+    });
+    assert_eq!((&change["before"], &change["after"], &change["comment"]), (&json!("0"), &json!("1"), &json!("")));
+    client.ask(json!({ "verb": "mode", "mode": "stop" }));
+    until("the mode is noted", || {
+        let changes = client.ask(json!({ "verb": "changes", "after": newest }));
+        changes["entries"].as_array().into_iter().flatten().any(|entry| entry["note"] == "CPU in STOP").then_some(())
+    });
+    client.ask(json!({ "verb": "mode", "mode": "run" }));
+
+    // A status without waiting is there as soon as a scan was recorded, and not again.
+    let sample = until("a sample", || {
+        let status = client.ask(json!({ "verb": "status", "block": "OB 1", "wait": false }));
+        status["statements"].as_array().is_some_and(|statements| !statements.is_empty()).then(|| status["sample"].clone())
+    });
+    assert!(sample.as_u64().is_some_and(|sample| sample > 0));
+
+    // A button has the other value for so long, in the time of the CPU, and a second press changes nothing.
+    client.ask(json!({ "verb": "time", "time": "step" }));
+    client.ask(json!({ "verb": "write", "values": { "I0.0": 0, "I0.1": 1 } }));
+    let press = json!({ "verb": "press", "items": ["I0.0", "I0.1", "MW20"], "ms": 100 });
+    let pressed = client.ask(press.clone());
+    assert_eq!((&pressed["done"], &pressed["items"][2]["error"]["code"]), (&json!(2), &json!("P7104")), "{pressed}");
+    client.ask(press);
+    client.ask(json!({ "verb": "time", "time": "step", "scans": 3 }));
+    assert_eq!((client.value("I0.0"), client.value("I0.1")), (json!(1), json!(0)));
+    client.ask(json!({ "verb": "time", "time": "step", "scans": 12 }));
+    assert_eq!((client.value("I0.0"), client.value("I0.1")), (json!(0), json!(1)));
+    run.stop();
+}
+
+#[test]
 fn a_stop_of_the_program_ends_the_run_and_tells_who_asks() {
     for speed in ["1x", "max"] {
         let folder = project();

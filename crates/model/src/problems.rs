@@ -392,6 +392,7 @@ problems! {
     P7101 Error "an address that is in use" "End the program that listens there, or choose another port.";
     P7102 Error "an address that cannot be listened at" "Choose an address of this computer and a port from 1024, or give the right to listen below.";
     P7103 Error "a file of a server that cannot be written" "Name a file in the folder of the project that this user may write, and look whether the disk is full.";
+    P7104 Error "something that cannot be pressed like a button" "Name an input bit, such as `I0.0`; everything else is set with `write`.";
     P7125 Error "a format that does not exist" "Write one of the formats of a watch table after the colon, such as `MW10:INT`, or leave it out; `sieben explain formats` lists them.";
     P7126 Error "a format that does not fit the value" "Choose a format for as many bits as the value has, or leave it out; `sieben explain formats` says what each one shows.";
     P7130 Error "a page that asks for too much" "Ask for less at a time; `docs/reference/page-server.md` has the limits.";

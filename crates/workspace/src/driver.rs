@@ -138,6 +138,7 @@ impl<'g> Driver<'g> {
             let _ = plant.cpu.start_with(restart, by, &mut clock, None);
             self.surroundings.keep(&mut plant.cpu);
         }
+        self.desk.observed.see_mode(plant);
         plant.cpu.set_time_source(if plant.pace.is_real() { TimeSource::Real } else { TimeSource::Virtual });
         match (plant.pace.speed(), plant.pace.missed) {
             _ if plant.pace.is_paused() => self.paused(plant),
@@ -272,6 +273,7 @@ impl<'g> Driver<'g> {
         self.surroundings.before_scan(plant);
         self.desk.scan(plant, clock, self.gate.now_us());
         plant.scans += u64::from(scans);
+        self.desk.observed.observe(plant, self.gate.now_us());
         let took_us = plant.cpu.cycle_times().execution_last;
         // In virtual time nothing is measured.
         if scans && took_us > 0 {

@@ -17,6 +17,7 @@ pub mod local_check;
 pub mod metrics;
 pub mod names;
 pub mod nearest;
+pub mod observed;
 pub mod online_change;
 pub mod pace;
 pub mod places;

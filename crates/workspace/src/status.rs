@@ -9,15 +9,22 @@ use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::time::Duration;
 
-use sieben_cpu::{Cpu, EndState, NotReplayed, RecordedScan, Replayer};
+use sieben_cpu::{Cpu, EndState, NotReplayed, OperatingMode, RecordedScan, Replayer};
 use sieben_engine::machine::Registers;
 use sieben_engine::{Machine, StatementEvent, Tracer};
 use sieben_model::block::BlockId;
 
+use sieben_sim::names::Name;
+
 use crate::gate::Plant;
+use crate::observed::Observed;
 
 /// Least distance of two recorded scans, in microseconds: 20 a second at most.
 pub const DISTANCE_US: u64 = 50_000;
+/// How long a block is looked at after it was asked for without waiting, in microseconds of the computer's time.
+const KEPT_US: u64 = 3_000_000;
+/// Blocks that are looked at in this way at once.
+const KEPT_MAX: usize = 64;
 /// Most statements of one sample; a block has fewer.
 const STATEMENTS_MAX: usize = 200_000;
 
@@ -30,7 +37,12 @@ pub struct StatementStatus {
     pub after: Registers,
     /// How often it was executed in this scan.
     pub times: u32,
+    /// The variable that it wrote, as people read it, where that was asked for.
+    pub value: Option<String>,
 }
+
+/// The variables that statements of a block write, by the number of the statement from 0.
+pub type Written = Arc<BTreeMap<u32, Name>>;
 
 /// The status of one scan.
 #[derive(Clone, Debug)]
@@ -65,6 +77,14 @@ struct Recorded {
     scan: RecordedScan,
     number: u64,
     time_us: u64,
+    /// What the computer's clock showed.
+    real_us: u64,
+}
+
+/// A block that is looked at for a while.
+struct Kept {
+    until_us: u64,
+    written: Written,
 }
 
 /// The newest sample, with a number that grows with each.
@@ -77,6 +97,12 @@ struct Newest {
 /// Where the status of scans is asked for.
 #[derive(Default)]
 pub struct Desk {
+    /// Where changes are asked for.
+    pub observed: Observed,
+    /// Blocks that are looked at for a while.
+    kept: Mutex<BTreeMap<BlockId, Kept>>,
+    /// Until when the last of them is, in the computer's time.
+    kept_until_us: AtomicU64,
     /// How many look at each block.
     blocks: Mutex<BTreeMap<BlockId, usize>>,
     /// How many look at all.
@@ -135,13 +161,31 @@ impl Desk {
         Look { desk: self, blocks }
     }
 
+    /// Looks at a block for a while; `written` are the variables that its statements write.
+    pub fn keep_looking(&self, block: BlockId, written: Written, real_us: u64) {
+        let until_us = real_us.saturating_add(KEPT_US);
+        let mut kept = lock(&self.kept);
+        kept.retain(|_, kept| kept.until_us > real_us);
+        if kept.len() < KEPT_MAX || kept.contains_key(&block) {
+            kept.insert(block, Kept { until_us, written });
+            self.kept_until_us.fetch_max(until_us, Ordering::Release);
+        }
+    }
+
+    /// The newest sample with its number; `None` before there is one.
+    pub fn newest(&self) -> Option<(u64, Looked)> {
+        let newest = lock(&self.newest);
+        newest.looked.clone().map(|looked| (newest.number, looked))
+    }
+
     /// One scan, recorded if there are onlookers and it is time. `real_us` is what the computer's clock shows. Of the scans that are asked for
     /// while time stands still the last one is always recorded: it is the one that they look at.
     pub(crate) fn scan(&self, plant: &mut Plant, clock: &mut dyn FnMut() -> u64, real_us: u64) {
         let last = self.last_us.load(Ordering::Relaxed);
         let is_last_step = plant.pace.is_paused() && !plant.pace.has_steps();
         let is_due = last == 0 || is_last_step || real_us.saturating_sub(last) >= DISTANCE_US;
-        let wanted = self.onlookers.load(Ordering::Acquire) > 0 && is_due;
+        let looked_at = self.onlookers.load(Ordering::Acquire) > 0 || self.kept_until_us.load(Ordering::Acquire) > real_us;
+        let wanted = looked_at && is_due;
         // The last recording has not been taken for its replay yet: this scan is not needed.
         let free = wanted && self.recorded.try_lock().is_ok_and(|recorded| recorded.is_none());
         if !free {
@@ -150,10 +194,12 @@ impl Desk {
         }
         self.last_us.store(real_us.max(1), Ordering::Relaxed);
         let like = lock(&self.like).clone();
+        // A CPU in STOP only lets its plants live on.
+        let number = plant.scans + u64::from(plant.cpu.mode() != OperatingMode::Stop);
         let (_, scan) = plant.cpu.scan_recorded(clock, like.as_deref());
         *lock(&self.like) = Some(Arc::clone(scan.after()));
         let time_us = plant.cpu.time_us();
-        *lock(&self.recorded) = Some(Recorded { scan, number: plant.scans + 1, time_us });
+        *lock(&self.recorded) = Some(Recorded { scan, number, time_us, real_us });
         self.recordings.fetch_add(1, Ordering::Relaxed);
         self.came.notify_all();
     }
@@ -200,9 +246,16 @@ impl Desk {
     }
 
     fn sample(&self, recorded: &Recorded, replayer: &mut Replayer) -> Result<Sample, NotReplayed> {
-        let blocks = lock(&self.blocks).keys().copied().collect();
+        let mut blocks: Vec<BlockId> = lock(&self.blocks).keys().copied().collect();
+        let mut written = BTreeMap::new();
+        for (&block, kept) in lock(&self.kept).iter().filter(|(_, kept)| kept.until_us > recorded.real_us) {
+            written.insert(block, Arc::clone(&kept.written));
+            if !blocks.contains(&block) {
+                blocks.push(block);
+            }
+        }
         let onlooker = self.onlooker.get().map(AsRef::as_ref);
-        let mut collector = Collector { blocks, statements: BTreeMap::new(), onlooker };
+        let mut collector = Collector { blocks, written, statements: BTreeMap::new(), onlooker };
         let same = recorded.scan.replay(replayer, &mut collector)?;
         let Collector { blocks, statements, .. } = collector;
         Ok(Sample { scan: recorded.number, time_us: recorded.time_us, same, blocks, statements })
@@ -225,6 +278,7 @@ impl Desk {
 /// Keeps what the statements of some blocks found and left.
 struct Collector<'o> {
     blocks: Vec<BlockId>,
+    written: BTreeMap<BlockId, Written>,
     statements: BTreeMap<(BlockId, u32), StatementStatus>,
     onlooker: Option<&'o dyn Onlooker>,
 }
@@ -238,6 +292,8 @@ impl Tracer for Collector<'_> {
         if let Some(onlooker) = self.onlooker {
             onlooker.statement(machine, event);
         }
+        let name = self.written.get(&place.0).and_then(|written| written.get(&place.1));
+        let value = name.and_then(|name| name.shown_in(machine, &event.after)).map(|shown| shown.readable());
         let full = self.statements.len() >= STATEMENTS_MAX;
         match self.statements.entry(place) {
             Entry::Occupied(mut known) => {
@@ -245,10 +301,11 @@ impl Tracer for Collector<'_> {
                 status.before.clone_from(&event.before);
                 status.after.clone_from(&event.after);
                 status.times = status.times.saturating_add(1);
+                status.value = value;
             }
             Entry::Vacant(_) if full => {}
             Entry::Vacant(place) => {
-                place.insert(StatementStatus { before: event.before.clone(), after: event.after.clone(), times: 1 });
+                place.insert(StatementStatus { before: event.before.clone(), after: event.after.clone(), times: 1, value });
             }
         }
     }

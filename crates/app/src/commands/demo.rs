@@ -1,6 +1,8 @@
 //! `sieben demo`: a dosing plant with its controller, live in the terminal.
 
+use std::io;
 use std::sync::Arc;
+use std::thread;
 use std::time::Duration;
 
 use clap::{Args, ValueEnum};
@@ -13,7 +15,7 @@ use crate::engines::EngineArgument;
 use crate::failure::{Exit, Failure};
 use crate::page::Answers;
 use crate::palette::Palette;
-use crate::screen::{self, CYCLE_US, Entry, Event, Outcome, Session, clock, thousands};
+use crate::screen::{self, Around, CYCLE_US, Demo, Direct, Outcome, Screen, clock, thousands};
 use crate::servers::{Prepared, PreparedPage, ServerArguments, Servers, Usually};
 use crate::{output, terminal};
 
@@ -60,40 +62,40 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     // Without a screen there is no user who could look at a page that was not asked for.
     let usually = if has_screen { Usually::With } else { Usually::Without };
     let prepared_page = arguments.servers.prepare_page(None, None, usually)?;
-    let session = Arc::new(Session::new(speed, arguments.time));
-    let interrupted = Arc::clone(&session);
+    let demo = Arc::new(Demo::new(speed, arguments.time));
+    let interrupted = Arc::clone(&demo);
     terminal::on_interrupt(move || interrupted.end());
-    let server = Server::of_demo(&session.gate, &session.desk, &session.facts);
-    let start = |prepared: Prepared| prepared.start(session.cpu_type, &session.gate, EngineArgument::Auto);
+    let server = Server::of_demo(&demo.gate, &demo.desk, &demo.facts);
+    let start = |prepared: Prepared| prepared.start(demo.cpu_type, &demo.gate, EngineArgument::Auto);
     let mut servers = prepared.map(start).transpose()?;
     if let Some(servers) = &servers {
-        servers.introduce(&session.facts, &session.gate);
+        servers.introduce(&demo.facts, &demo.gate);
         match has_screen {
             // The run has just begun, and nothing else closes the gate.
-            true => drop(session.note(servers.text().trim_end())),
+            true => drop(demo.note(servers.text().trim_end())),
             false => output::message(&servers.text()),
         }
     }
-    let start_page = |page: PreparedPage| page.start((&session.gate, &session.desk, &session.facts), servers.as_ref(), Box::new(Answers));
+    let start_page = |page: PreparedPage| page.start((&demo.gate, &demo.desk, &demo.facts), servers.as_ref(), Box::new(Answers));
     let page = prepared_page.map(start_page).transpose()?;
     if let Some(page) = &page {
         match has_screen {
-            true => drop(session.note(page.text().trim_end())),
+            true => drop(demo.note(page.text().trim_end())),
             false => output::message(&page.text()),
         }
     }
-    let metrics = arguments.servers.start_metrics(&session.gate, servers.as_ref())?;
+    let metrics = arguments.servers.start_metrics(&demo.gate, servers.as_ref())?;
     if has_screen {
         if let Err(without) = &server {
             // The whole reason has no room there.
-            let _ = session.note(without.note());
+            let _ = demo.note(without.note());
         }
-        screen::run(&session, Palette::wanted()).map_err(|error| terminal::broken(&error))?;
+        show(&demo).map_err(|error| terminal::broken(&error))?;
     } else {
         if let Err(without) = &server {
             output::message(&without.to_string());
         }
-        print_changes(&session)?;
+        print_changes(&demo)?;
     }
     drop(metrics);
     drop(page);
@@ -101,8 +103,36 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         output::message(&lost);
     }
     drop(server);
-    output::print(&farewell(&session.outcome()))?;
+    output::print(&farewell(&demo.outcome()))?;
     Ok(Exit::Success)
+}
+
+/// Ends the scans when it goes, however the screen was left.
+struct Ending<'d>(&'d Demo);
+
+impl Drop for Ending<'_> {
+    fn drop(&mut self) {
+        self.0.end();
+    }
+}
+
+/// The demo on its screen. The scans end with it.
+fn show(demo: &Demo) -> io::Result<()> {
+    thread::scope(|scope| {
+        let _ending = Ending(demo);
+        thread::Builder::new().name("scan".to_owned()).spawn_scoped(scope, || demo.scan(None))?;
+        let (gate, desk) = (Arc::clone(&demo.gate), Arc::clone(&demo.desk));
+        // It ends by itself when the gate is closed.
+        thread::Builder::new().name("status".to_owned()).spawn(move || desk.replay(|| gate.is_closed()))?;
+        let mut asks = Direct::new(&demo.gate, &demo.desk, &demo.facts);
+        let mut screen = Screen { story: Some(Arc::clone(&demo.story)), ..Screen::default() };
+        let note = |text: &str| {
+            // A demo that is over has no use for it.
+            let _ = demo.note(text);
+        };
+        let around = Around { is_over: &|| demo.gate.is_closed(), note: &note };
+        screen::show(&mut asks, &mut screen, Palette::wanted(), &around).map(drop)
+    })
 }
 
 /// One sentence about what was seen.
@@ -117,31 +147,21 @@ fn farewell(outcome: &Outcome) -> String {
 }
 
 /// The demo without a terminal.
-fn print_changes(session: &Session) -> Result<(), Failure> {
+fn print_changes(demo: &Demo) -> Result<(), Failure> {
     output::print(&format!(
         "Sieben demo: dosing of a liquid, CPU {}, cycle {} ms. One line per change; Ctrl-C ends it.\n\n{}\n",
-        session.cpu_type.name,
+        demo.cpu_type.name,
         CYCLE_US / 1_000,
-        assignment::text(&session.symbols)
+        assignment::text(&demo.symbols)
     ))?;
     let mut printed = Ok(());
-    session.scan(&mut |entry| {
+    demo.scan(Some(&mut |entry| {
         if printed.is_ok() {
-            printed = output::print(&line(entry));
+            printed = output::print(&screen::line(entry));
             if printed.is_err() {
-                session.end();
+                demo.end();
             }
         }
-    });
+    }));
     printed
-}
-
-/// `scan 1,204 (12.04 s): Q 0.0 0→1 (Dosing valve)`.
-fn line(entry: &Entry) -> String {
-    let place = format!("scan {} ({})", thousands(entry.scan), clock(entry.time_ms));
-    match &entry.event {
-        Event::Change { address, values, comment } if comment.is_empty() => format!("{place}: {address} {values}\n"),
-        Event::Change { address, values, comment } => format!("{place}: {address} {values} ({comment})\n"),
-        Event::Note(text) => format!("{place}: {text}\n"),
-    }
 }

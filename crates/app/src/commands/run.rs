@@ -1,23 +1,24 @@
 //! `sieben run [PATH]`: runs a project, in real time or as fast as it goes.
 
-use std::io::IsTerminal;
+use std::io;
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::thread;
 use std::time::{Duration, Instant, SystemTime};
 
 use clap::Args;
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde_json::json;
 use sieben_cpu::{Cpu, DateAndTime, OperatingMode, Settings, StopRequest, TimeSource};
 use sieben_jit::StatusBits;
 use sieben_model::problems::Problem;
 use sieben_model::visible::visible;
-use sieben_workspace::control::{CurrentFacts, Facts};
+use sieben_workspace::control::{CurrentFacts, Facts, watched};
 use sieben_workspace::controller;
 use sieben_workspace::duration;
 use sieben_workspace::failed::{self, Failed};
 use sieben_workspace::gate::Clock;
+use sieben_workspace::observed::{Entry, Observer};
 use sieben_workspace::project::Build;
 use sieben_workspace::status::Desk;
 use sieben_workspace::{Driver, Gate, Pace, Plant, Speed, Surroundings};
@@ -28,13 +29,13 @@ use crate::duration::{cycle_argument, duration_argument};
 use crate::engines::EngineArgument;
 use crate::failure::{Exit, Failure};
 use crate::page::Answers;
+use crate::palette::Palette;
 use crate::retain::{RetainArguments, Retention, RunTime};
+use crate::screen::{self, Direct, Screen};
 use crate::servers::{Always, Prepared, PreparedPage, ServerArguments, Servers, Usually};
-use crate::watch::Watch;
-use crate::{output, watch};
+use crate::watch::{Losses, Watch};
+use crate::{output, terminal, watch};
 
-/// How often the status line is drawn.
-const STATUS_PERIOD: Duration = Duration::from_millis(100);
 /// Exit code after a second Ctrl-C: what shells report for SIGINT.
 const INTERRUPTED: i32 = 130;
 /// Entries of the diagnostic buffer that are printed after a STOP: cause, consequence and how the run began.
@@ -47,12 +48,14 @@ const STOP_FROM_OUTSIDE: u16 = 0x4304;
 /// Run a project.
 #[derive(Args)]
 #[command(after_help = "Examples:\n  \
-  sieben run                            the project in this folder, until Ctrl-C\n  \
+  sieben run                            the project in this folder, on a screen, until q\n  \
+  sieben run pump --plain               one line for each change\n  \
   sieben run pump --for 10s             ten seconds, then exit 0\n  \
   sieben run pump --speed max --for 1h  an hour of virtual time, at full speed\n  \
   sieben run pump --restart cold        with all values as the program declares them\n  \
   sieben run pump --watch               changed sources take over while it runs\n  \
   sieben run pump --s7                  S7 clients of this computer reach it at 127.0.0.1:1102\n\n\
+On a terminal the run has a screen: inputs to switch, outputs, the program, faults; ? shows its keys.\n\
 With a server the run stays up while the CPU is in STOP, except with --for.\n\
 Ctrl-C stops cleanly; a second Ctrl-C stops at once. Retentive data of a project survives both, and a kill.\n\
 Exit codes: 0 ok, 1 a statement failed (--strict), 2 usage, 3 does not compile, 4 the CPU went to STOP.")]
@@ -100,6 +103,9 @@ pub(crate) struct RunArguments {
     /// Print the result as one JSON object
     #[arg(long)]
     json: bool,
+    /// No screen: print one line for each change
+    #[arg(long, conflicts_with = "json")]
+    plain: bool,
 }
 
 /// Runs the project.
@@ -161,7 +167,7 @@ pub(crate) fn run_as(verb: Verb, mut arguments: RunArguments) -> Result<Exit, Fa
     let clock = real_clock();
     let facts = Arc::new(CurrentFacts::new(Facts::of(&build, cpu.program())));
     let pace = Pace::new(arguments.speed, cycle_us, arguments.duration.map_or(u64::MAX, duration::micros), clock());
-    let request = cpu.stop_request();
+    let ending = Ending { request: cpu.stop_request(), presses: Arc::default() };
     let mut plant = Plant::new(cpu, pace);
     // With an end of its own a run is an experiment, whose STOP is its result.
     let stays = (prepared.is_some() || prepared_page.is_some()) && arguments.duration.is_none();
@@ -169,7 +175,10 @@ pub(crate) fn run_as(verb: Verb, mut arguments: RunArguments) -> Result<Exit, Fa
         plant.stay_in_stop();
     }
     let gate = Arc::new(Gate::new(plant, clock));
-    let presses = watch_for_interrupt(request, &gate)?;
+    let ending = Arc::new((ending, Arc::clone(&gate)));
+    watch_for_interrupt(&ending)?;
+    let presses = Arc::clone(&ending.0.presses);
+    let shown = Shown::of(verb, arguments);
     if !arguments.json {
         let name = project.name.as_deref().map_or_else(String::new, |name| format!(" `{name}`"));
         let end = arguments.duration.map_or_else(|| "Ctrl-C stops".to_owned(), |end| format!("for {}", duration::show(end)));
@@ -183,7 +192,11 @@ pub(crate) fn run_as(verb: Verb, mut arguments: RunArguments) -> Result<Exit, Fa
             (&arguments.program, overrides),
             arguments.engine,
             &build,
-            arguments.accept_losses,
+            match shown {
+                _ if arguments.accept_losses => Losses::Accepted,
+                Shown::Screen => Losses::Refused,
+                Shown::Changes | Shown::Messages => Losses::Asked,
+            },
         )?),
         false => None,
     };
@@ -213,7 +226,11 @@ pub(crate) fn run_as(verb: Verb, mut arguments: RunArguments) -> Result<Exit, Fa
         }
     }
     if let Some(page) = page.as_ref().filter(|_| !arguments.json) {
-        output::message(&page.text());
+        match shown {
+            // The run has just begun, and nothing else closes the gate.
+            Shown::Screen => drop(gate.enter(|plant| desk.observed.note(plant, page.text().trim_end()))),
+            _ => output::message(&page.text()),
+        }
     }
     let metrics = arguments.servers.start_metrics(&gate, servers.as_ref())?;
     if let Some(metrics) = &metrics
@@ -222,12 +239,44 @@ pub(crate) fn run_as(verb: Verb, mut arguments: RunArguments) -> Result<Exit, Fa
         output::message(&format!("Metrics are at http://{}/metrics.\n", metrics.address()));
     }
     let quiet = arguments.json;
-    let (failed, status) = (None, Status::new(verb));
-    let mut around =
-        Around { retention, watch, build: &mut build, facts: &facts, quiet, told_stop: !stays, stays, failed, status, presses: &presses };
-    Driver::new(&gate, &desk, &mut around).run(arguments.retain.restart);
-    let Around { mut retention, watch, failed, status, .. } = around;
-    status.clear();
+    let observer = (shown == Shown::Changes).then(|| Observer::new(watched(&facts.facts())));
+    let plain = observer.map(|observer| Plain { observer, told: 0 });
+    let (failed, say) = (None, Say { desk: &desk, shown });
+    let mut around = Around {
+        retention,
+        watch,
+        build: &mut build,
+        facts: &facts,
+        quiet,
+        told_stop: !stays,
+        stays,
+        failed,
+        say,
+        plain,
+        presses: &presses,
+        is_broken: false,
+    };
+    let is_over = AtomicBool::new(false);
+    let drawn = thread::scope(|scope| {
+        let screen = (shown == Shown::Screen).then(|| {
+            let (over, asks) = (|| is_over.load(Ordering::Relaxed), Direct::new(&gate, &desk, &facts));
+            let (desk, ending) = (&desk, &ending);
+            // It is enough that one thread replays: with a control socket there is one already.
+            let is_over = &is_over;
+            let _ =
+                thread::Builder::new().name("status".to_owned()).spawn_scoped(scope, || desk.replay(|| is_over.load(Ordering::Relaxed)));
+            thread::Builder::new().name("screen".to_owned()).spawn_scoped(scope, move || show(asks, desk, ending, &over))
+        });
+        Driver::new(&gate, &desk, &mut around).run(arguments.retain.restart);
+        is_over.store(true, Ordering::Relaxed);
+        match screen {
+            // A panic of the thread was reported where it happened.
+            Some(screen) => screen.and_then(|screen| screen.join().unwrap_or(Ok(()))),
+            None => Ok(()),
+        }
+    });
+    let Around { mut retention, watch, failed, .. } = around;
+    drawn.map_err(|error| terminal::broken(&error))?;
     drop(metrics);
     drop(page);
     if let Some(lost) = servers.as_mut().and_then(Servers::end) {
@@ -259,19 +308,70 @@ pub(crate) fn now() -> DateAndTime {
     DateAndTime::from_ms_since_1970(since_1970.as_millis() as u64)
 }
 
-/// From now on Ctrl-C asks the CPU for STOP at its next safe point and ends the run; a second one ends the process.
-fn watch_for_interrupt(request: StopRequest, gate: &Arc<Gate>) -> Result<Arc<AtomicUsize>, Failure> {
-    let presses = Arc::new(AtomicUsize::new(0));
-    let (seen, gate) = (Arc::clone(&presses), Arc::clone(gate));
+/// How a run is ended from outside: Ctrl-C, a signal, the key of the screen.
+struct Ending {
+    request: StopRequest,
+    /// How often it was asked for.
+    presses: Arc<AtomicUsize>,
+}
+
+impl Ending {
+    /// Asks the CPU for STOP at its next safe point and ends the run; how often that was asked for before.
+    fn end(&self, gate: &Gate) -> usize {
+        let before = self.presses.fetch_add(1, Ordering::SeqCst);
+        self.request.stop();
+        gate.wake();
+        before
+    }
+}
+
+/// From now on Ctrl-C ends the run; a second one ends the process.
+fn watch_for_interrupt(ending: &Arc<(Ending, Arc<Gate>)>) -> Result<(), Failure> {
+    let ending = Arc::clone(ending);
     ctrlc::set_handler(move || {
-        if seen.fetch_add(1, Ordering::SeqCst) > 0 {
+        if ending.0.end(&ending.1) > 0 {
+            terminal::give_back();
             std::process::exit(INTERRUPTED);
         }
-        request.stop();
-        gate.wake();
     })
-    .map_err(|error| Failure::usage(Problem::P7001, format!("Ctrl-C cannot be watched: {error}")))?;
-    Ok(presses)
+    .map_err(|error| Failure::usage(Problem::P7001, format!("Ctrl-C cannot be watched: {error}")))
+}
+
+/// What is seen of a run while it runs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Shown {
+    /// The screen.
+    Screen,
+    /// One line for each change, and messages.
+    Changes,
+    /// Messages only.
+    Messages,
+}
+
+impl Shown {
+    fn of(verb: Verb, arguments: &RunArguments) -> Self {
+        match verb {
+            Verb::Serve => Self::Messages,
+            Verb::Run if arguments.json => Self::Messages,
+            Verb::Run if arguments.plain || terminal::is_without_screen() => Self::Changes,
+            Verb::Run if terminal::has_screen() => Self::Screen,
+            Verb::Run => Self::Messages,
+        }
+    }
+}
+
+/// The screen, until the user leaves or the run is over; with it the run ends.
+fn show(mut asks: Direct, desk: &Desk, ending: &(Ending, Arc<Gate>), is_over: &(dyn Fn() -> bool + Sync)) -> io::Result<()> {
+    let (ending, gate) = ending;
+    let note = |text: &str| {
+        // A run that is over has no use for it.
+        let _ = gate.enter(|plant| desk.observed.note(plant, text));
+    };
+    let left = screen::show(&mut asks, &mut Screen::default(), Palette::wanted(), &screen::Around { is_over, note: &note });
+    if !is_over() {
+        ending.end(gate);
+    }
+    left.map(drop)
 }
 
 /// How a run ended.
@@ -283,7 +383,7 @@ struct Outcome {
     stays: bool,
 }
 
-/// What stands around the run: retentive data, changed sources, the status line, Ctrl-C.
+/// What stands around the run: retentive data, changed sources, what is said and printed, Ctrl-C.
 struct Around<'a> {
     retention: Option<Retention>,
     watch: Option<Watch>,
@@ -299,8 +399,50 @@ struct Around<'a> {
     stays: bool,
     /// The first statement that failed, with its place in the program that ran then.
     failed: Option<Failed>,
-    status: Status,
+    say: Say<'a>,
+    /// Prints what changed.
+    plain: Option<Plain>,
     presses: &'a AtomicUsize,
+    /// What is printed cannot be printed any more.
+    is_broken: bool,
+}
+
+/// Says what happens while a run goes on: on the screen it is a note.
+#[derive(Clone, Copy)]
+struct Say<'a> {
+    desk: &'a Desk,
+    shown: Shown,
+}
+
+impl Say<'_> {
+    /// Says something; it may have colours.
+    fn say(&self, plant: &Plant, text: &str) {
+        match self.shown {
+            Shown::Screen => {
+                text.lines().filter(|line| !line.trim().is_empty()).for_each(|line| self.desk.observed.note(plant, line.trim_end()));
+            }
+            Shown::Changes | Shown::Messages => output::styled(text),
+        }
+    }
+}
+
+/// Prints a line for each change.
+struct Plain {
+    observer: Observer,
+    told: u64,
+}
+
+impl Plain {
+    fn print(&mut self, plant: &Plant) -> Result<(), Failure> {
+        let time_us = plant.cpu.time_us();
+        let mut events = Vec::new();
+        self.observer.observe(&plant.cpu, time_us, &mut |event| events.push(event));
+        for event in events {
+            self.told += 1;
+            output::print(&screen::line(&Entry { number: self.told, scan: plant.scans, time_us, event }))?;
+        }
+        Ok(())
+    }
 }
 
 impl Surroundings for Around<'_> {
@@ -313,85 +455,70 @@ impl Surroundings for Around<'_> {
 
     /// Lets changed sources take over before the next scan.
     fn at_point(&mut self, plant: &mut Plant) {
-        self.status.update(&plant.cpu, plant.scans);
-        self.tell_stop(&plant.cpu);
+        self.tell_stop(plant);
         if let Some(watch) = &mut self.watch {
             // Its place is one of the program that still runs.
             if self.failed.is_none() {
                 self.failed = Failed::of(self.build, &plant.cpu);
             }
-            let (quiet, status) = (self.quiet, &self.status);
             let changes = watch.changes;
-            watch.poll(&mut plant.cpu, self.build, &|text| {
-                if !quiet {
-                    status.say(text)
-                }
-            });
+            let mut said = Vec::new();
+            watch.poll(&mut plant.cpu, self.build, &mut |text| said.push(text.to_owned()));
+            if !self.quiet {
+                said.iter().for_each(|text| self.say.say(plant, text));
+            }
             if watch.changes != changes {
-                self.facts.replace(Facts::of(self.build, plant.cpu.program()));
+                self.replace_facts(&plant.cpu);
             }
         }
         // A server may have linked or deleted data blocks.
         if !Arc::ptr_eq(plant.cpu.program(), &self.facts.facts().program) {
-            self.facts.replace(Facts::of(self.build, plant.cpu.program()));
+            self.replace_facts(&plant.cpu);
+        }
+    }
+
+    fn before_scan(&mut self, plant: &mut Plant) {
+        // The first look is at what was before the first scan.
+        if plant.scans == 0
+            && let Some(plain) = &mut self.plain
+        {
+            plain.observer.observe(&plant.cpu, 0, &mut |_| {});
+        }
+    }
+
+    fn after_scan(&mut self, plant: &mut Plant) {
+        if let Some(plain) = &mut self.plain {
+            self.is_broken |= plain.print(plant).is_err();
         }
     }
 
     fn is_ended(&self) -> bool {
-        self.presses.load(Ordering::Relaxed) > 0
+        self.presses.load(Ordering::Relaxed) > 0 || self.is_broken
     }
 }
 
 impl Around<'_> {
+    /// Another program runs from now on.
+    fn replace_facts(&mut self, cpu: &Cpu) {
+        self.facts.replace(Facts::of(self.build, cpu.program()));
+        if let Some(plain) = &mut self.plain {
+            plain.observer = Observer::new(watched(&self.facts.facts()));
+        }
+    }
+
     /// Says once why the CPU is in STOP, where the run goes on all the same.
-    fn tell_stop(&mut self, cpu: &Cpu) {
+    fn tell_stop(&mut self, plant: &Plant) {
+        let cpu = &plant.cpu;
         let cause = cpu.stop_cause().filter(|_| cpu.mode() == OperatingMode::Stop);
         match cause {
             Some(cause) if !self.told_stop => {
                 self.told_stop = true;
                 if !self.quiet {
-                    self.status.say(&visible(&controller::stop_text(self.build, cause)));
+                    self.say.say(plant, &visible(&controller::stop_text(self.build, cause)));
                 }
             }
             None if self.stays => self.told_stop = false,
             _ => {}
-        }
-    }
-}
-
-/// The line that shows how the run goes; only on a terminal.
-struct Status {
-    bar: Option<ProgressBar>,
-    drawn: std::cell::Cell<Instant>,
-}
-
-impl Status {
-    fn new(verb: Verb) -> Self {
-        let bar = (verb == Verb::Run && std::io::stderr().is_terminal()).then(|| {
-            let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr());
-            bar.set_style(ProgressStyle::with_template("{msg}").unwrap_or_else(|_| ProgressStyle::default_spinner()));
-            bar
-        });
-        Self { bar, drawn: std::cell::Cell::new(Instant::now()) }
-    }
-    fn update(&self, cpu: &Cpu, scans: u64) {
-        let Some(bar) = &self.bar else { return };
-        if self.drawn.get().elapsed() < STATUS_PERIOD {
-            return;
-        }
-        self.drawn.set(Instant::now());
-        bar.set_message(format!("{}  scan {scans}{}  (Ctrl-C stops)", cpu.mode(), cycle_text(cpu)));
-    }
-    /// Prints a message above the line; it may have colours.
-    fn say(&self, text: &str) {
-        match &self.bar {
-            Some(bar) => bar.suspend(|| output::styled(text)),
-            None => output::styled(text),
-        }
-    }
-    fn clear(&self) {
-        if let Some(bar) = &self.bar {
-            bar.finish_and_clear();
         }
     }
 }

@@ -1,6 +1,7 @@
 //! `sieben top [PATH]`: looks at a program that runs, and starts, stops or pauses it.
 
 use std::path::PathBuf;
+use std::sync::atomic::Ordering;
 
 use clap::Args;
 use sieben_model::problems::Problem;
@@ -11,7 +12,8 @@ use crate::control::client::silent;
 use crate::failure::{Exit, Failure};
 
 use crate::palette::Palette;
-use crate::top::{self, Left, Onlooker};
+use crate::screen::{self, Around, Left, Screen};
+use crate::top::Onlooker;
 use crate::{output, terminal};
 
 /// Most names that are watched: as many as a screen has room for, and far fewer than one request takes.
@@ -49,7 +51,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     onlooker.check_names()?;
     if !arguments.json && terminal::has_screen() {
         let interrupted = terminal::interrupted();
-        if top::run(&mut onlooker, Palette::wanted(), &interrupted).map_err(|error| failed(&error))? == Left::RunOver {
+        let is_over = || interrupted.load(Ordering::Relaxed);
+        let around = Around { is_over: &is_over, note: &|_| {} };
+        let (mut client, names) = onlooker.into_parts();
+        let mut screen = Screen { names, ..Screen::default() };
+        let left = screen::show(&mut client, &mut screen, Palette::wanted(), &around).map_err(|error| failed(&error))?;
+        if left == Left::RunOver && !is_over() {
             output::print("The run is over.\n")?;
         }
         return Ok(Exit::Success);

@@ -1,16 +1,29 @@
-//! The demo plant on the terminal.
+//! The one screen of `run`, `demo` and `top`: what a run is asked for, what is drawn of it, what keys do.
 
-mod changes;
+mod asks;
+mod demo;
+#[cfg_attr(not(test), expect(dead_code, reason = "pictures of plants draw them"))]
 mod digits;
 mod draw;
-mod listing;
+mod keys;
 mod live;
+mod look;
+mod numbers;
 mod operator;
-mod picture;
-mod plant;
-mod session;
+mod pictured;
+mod plain;
+#[expect(dead_code, reason = "pictures of plants are still to come")]
+mod plants;
+mod rows;
+mod state;
+#[cfg(test)]
+mod tests;
+mod words;
 
-pub(crate) use changes::{Entry, Event, clock, thousands};
-pub(crate) use live::run;
+pub(crate) use asks::Direct;
+pub(crate) use demo::{Demo, Outcome};
+pub(crate) use live::{Around, Left, show};
+pub(crate) use numbers::{clock, thousands};
 pub(crate) use operator::CYCLE_US;
-pub(crate) use session::{Outcome, Session};
+pub(crate) use plain::line;
+pub(crate) use state::Screen;

@@ -1,14 +1,14 @@
-//! The operator of the demo: pushes buttons, exchanges containers, fills the tank again and tells the story, scan by scan.
+//! The operator of the demo: exchanges containers, fills the tank again and tells the story, scan by scan.
 
-use std::time::Duration;
+use std::sync::Arc;
+use std::sync::atomic::Ordering;
 
-use sieben_cpu::{Cpu, OperatingMode, Requester, Restart};
-use sieben_model::symbols::SymbolTable;
-use sieben_sim::devices::dosing::Button;
+use sieben_cpu::OperatingMode;
+use sieben_sim::devices::Attention;
+use sieben_sim::wrap;
 use sieben_workspace::Plant;
 
-use super::changes::{Changes, Entry, Event};
-use super::plant::DosingTank;
+use super::state::Story;
 
 /// Time from one start of OB 1 to the next.
 pub(crate) const CYCLE_US: u64 = 10_000;
@@ -22,232 +22,202 @@ const STORY_US: u64 = 3_000_000;
 const USER_US: u64 = 20_000_000;
 /// The tank is filled again below this level, while the valve is closed.
 const REFILL_LITRES: f64 = 30.0;
+/// The flow meter, as faults call it.
+const METER: &str = "flow";
 
-/// What a user or the story does.
+/// A button of the plant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Action {
-    /// Pushes a button and lets it go.
-    Push(Button),
-    /// Presses a button until the same action releases it.
-    Hold(Button),
-    /// Lets the flow meter fail, or work again.
-    Meter,
-    /// Turns the mode switch of the CPU.
-    Mode,
-    /// Switches the story on or off.
-    Story,
+enum Button {
+    /// START, which makes.
+    Start,
+    /// STOP, which breaks.
+    Stop,
 }
 
-/// How long scans took.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct ScanTime {
-    /// All of them.
-    pub(crate) total: Duration,
-    /// How many they were.
-    pub(crate) scans: u32,
+impl Button {
+    /// Its bit in input byte 0.
+    fn mask(self) -> u8 {
+        match self {
+            Self::Start => 1,
+            Self::Stop => 2,
+        }
+    }
+
+    fn set(self, plant: &mut Plant, is_pressed: bool) {
+        let value = if is_pressed == (self == Self::Start) { self.mask() } else { 0 };
+        plant.cpu.rack_mut().set_input(0, self.mask(), value);
+    }
+
+    fn is_pressed(self, plant: &Plant) -> bool {
+        let byte = plant.cpu.rack().peripheral_read(0, sieben_model::address::Width::Byte).unwrap_or_default() as u8;
+        (byte & self.mask() != 0) == (self == Self::Start)
+    }
+}
+
+/// What is seen of the plant.
+struct Seen {
+    open: bool,
+    vessel: f64,
+    supply: f64,
+    spilled: f64,
+    meter_failed: bool,
 }
 
 /// The operator, with what it has seen.
 #[derive(Debug)]
 pub(crate) struct Operator {
-    /// What changed.
-    pub(crate) changes: Changes,
-    /// Whether the story presses START by itself.
-    story: bool,
+    story: Arc<Story>,
+    /// What was noted since this was asked last.
+    notes: Vec<String>,
     /// The time of the plant: one cycle for each scan.
     now_us: u64,
-    /// When a pushed button is released: START, STOP.
-    release_us: [Option<u64>; 2],
+    /// Which button the story has pressed, and when it is released.
+    pressed: Option<(Button, u64)>,
     /// Since when the valve is closed and nothing happens.
     idle_since_us: u64,
     /// When the user last did something.
     user_us: Option<u64>,
     exchange_us: Option<u64>,
-    spilling: bool,
-    mode: OperatingMode,
-    scan_time: ScanTime,
+    /// What had been spilled at the last look.
+    spilled: f64,
+    was_on: bool,
 }
 
-/// The tank of a CPU.
-pub(crate) fn dosing(cpu: &Cpu) -> &DosingTank {
-    cpu.rack().module().expect("the tank was plugged in at the start")
+/// The plant of the demo.
+fn dosing(plant: &Plant) -> Option<&wrap::Plant> {
+    wrap::plants(plant.cpu.rack()).next()
 }
 
-fn dosing_mut(plant: &mut Plant) -> &mut DosingTank {
-    plant.cpu.rack_mut().module_mut().expect("the tank was plugged in at the start")
+/// What has run through the valve of the demo.
+pub(crate) fn litres(plant: &Plant) -> f64 {
+    dosing(plant).and_then(|dosing| dosing.device().value("delivered")).unwrap_or_default()
 }
 
 impl Operator {
-    /// Watches the symbols of a CPU.
-    pub(crate) fn new(symbols: &SymbolTable, cpu: &Cpu) -> Self {
+    /// An operator who follows this story.
+    pub(crate) fn new(story: Arc<Story>) -> Self {
         Self {
-            changes: Changes::new(symbols, cpu),
-            story: true,
+            story,
+            notes: Vec::new(),
             now_us: 0,
-            release_us: [None, None],
+            pressed: None,
             idle_since_us: 0,
             user_us: None,
             exchange_us: None,
-            spilling: false,
-            mode: OperatingMode::Run,
-            scan_time: ScanTime::default(),
+            spilled: 0.0,
+            was_on: true,
         }
     }
 
-    /// The time of the plant in milliseconds.
-    pub(crate) fn time_ms(&self) -> u64 {
-        self.now_us / 1_000
+    /// The time of the plant in microseconds.
+    pub(crate) fn time_us(&self) -> u64 {
+        self.now_us
     }
 
-    /// A scan took so long.
-    pub(crate) fn add_scan_time(&mut self, took: Duration) {
-        self.scan_time.total = self.scan_time.total.saturating_add(took);
-        self.scan_time.scans = self.scan_time.scans.saturating_add(1);
-    }
-
-    /// How long the scans took since this was asked last.
-    pub(crate) fn take_scan_time(&mut self) -> ScanTime {
-        std::mem::take(&mut self.scan_time)
-    }
-
-    /// Seconds until the story presses START; `None` if it will not.
-    pub(crate) fn seconds_to_story(&self, cpu: &Cpu) -> Option<u64> {
-        Some(self.story_due_us(cpu)?.saturating_sub(self.now_us).div_ceil(1_000_000))
-    }
-
-    /// A user does something.
-    pub(crate) fn act(&mut self, plant: &mut Plant, action: Action) {
-        self.user_us = Some(self.now_us);
-        match action {
-            Action::Push(button) => self.push(plant, button),
-            Action::Hold(button) => {
-                self.release_us[index(button)] = None;
-                dosing_mut(plant).tank.toggle(button);
-            }
-            Action::Meter => self.switch_meter(plant),
-            Action::Mode if plant.cpu.mode() == OperatingMode::Run => plant.stop(Requester::default()),
-            Action::Mode => plant.ask_for_start(Restart::Warm, Requester::default()),
-            Action::Story => {
-                self.story = !self.story;
-                self.user_us = None;
-                self.idle_since_us = self.now_us;
-            }
-        }
-        self.note_mode(plant);
+    /// What was noted since this was asked last.
+    pub(crate) fn take_notes(&mut self) -> Vec<String> {
+        std::mem::take(&mut self.notes)
     }
 
     /// Right before a scan, also of a CPU in STOP.
     pub(crate) fn before_scan(&mut self, plant: &mut Plant) {
         self.now_us += CYCLE_US;
-        self.release_buttons(plant);
-    }
-
-    /// Right after a scan: what changed, and all that goes on around the CPU.
-    pub(crate) fn after_scan(&mut self, plant: &mut Plant) {
-        self.changes.observe(&plant.cpu, plant.scans, self.time_ms());
-        self.note_mode(plant);
-        self.look_after_plant(plant);
-        self.tell_story(plant);
-    }
-
-    /// Notes a change of the mode: a key, the control socket or the program may have caused it.
-    pub(crate) fn note_mode(&mut self, plant: &Plant) {
-        let mode = plant.cpu.mode();
-        if mode != self.mode {
-            self.mode = mode;
-            self.note(plant, format!("CPU in {mode}"));
+        if self.pressed.is_some_and(|(_, until)| until <= self.now_us)
+            && let Some((button, _)) = self.pressed.take()
+        {
+            button.set(plant, false);
         }
     }
 
-    /// Adds a note to the changes.
-    pub(crate) fn note(&mut self, plant: &Plant, text: impl Into<String>) {
-        self.changes.push(Entry { scan: plant.scans, time_ms: self.time_ms(), event: Event::Note(text.into()) });
+    /// Right after a scan: all that goes on around the CPU.
+    pub(crate) fn after_scan(&mut self, plant: &mut Plant) {
+        if self.story.user_acted.swap(false, Ordering::Relaxed) {
+            self.user_us = Some(self.now_us);
+        }
+        let is_on = self.story.is_on.load(Ordering::Relaxed);
+        if std::mem::replace(&mut self.was_on, is_on) != is_on {
+            (self.user_us, self.idle_since_us) = (None, self.now_us);
+        }
+        let Some(seen) = Self::look(plant) else { return };
+        self.look_after_plant(plant, &seen);
+        self.tell_story(plant, &seen);
+        let seconds = self.story_due_us(plant, &seen).map_or(u64::MAX, |due| due.saturating_sub(self.now_us).div_ceil(1_000_000));
+        self.story.seconds.store(seconds, Ordering::Relaxed);
+    }
+
+    fn look(plant: &Plant) -> Option<Seen> {
+        let dosing = dosing(plant)?;
+        let value = |name| dosing.device().value(name).unwrap_or_default();
+        Some(Seen {
+            open: dosing.commands().first().is_some_and(|byte| byte & 1 != 0),
+            vessel: value("vessel"),
+            supply: value("supply"),
+            spilled: value("spilled"),
+            meter_failed: dosing.faults().any(|fault| fault.signal == METER),
+        })
+    }
+
+    fn attend(plant: &mut Plant, attention: Attention) {
+        plant.cpu.rack_mut().modules_mut::<wrap::Plant>().take(1).for_each(|dosing| dosing.attend(attention));
     }
 
     fn push(&mut self, plant: &mut Plant, button: Button) {
-        self.release_us[index(button)] = Some(self.now_us + PUSH_US);
-        dosing_mut(plant).tank.press(button);
-    }
-
-    fn release_buttons(&mut self, plant: &mut Plant) {
-        for button in [Button::Start, Button::Stop] {
-            if self.release_us[index(button)].is_some_and(|due| due <= self.now_us) {
-                self.release_us[index(button)] = None;
-                dosing_mut(plant).tank.release(button);
-            }
-        }
-    }
-
-    fn switch_meter(&mut self, plant: &mut Plant) {
-        let dosing = dosing_mut(plant);
-        dosing.meter_failed = !dosing.meter_failed;
-        let text = match dosing.meter_failed {
-            true => "flow meter fails: no pulses",
-            false => "flow meter works again",
-        };
-        self.note(plant, text);
+        self.pressed = Some((button, self.now_us + PUSH_US));
+        button.set(plant, true);
     }
 
     /// Containers are exchanged and the tank is filled again, as the world around a plant does.
-    fn look_after_plant(&mut self, plant: &mut Plant) {
-        let tank = &dosing(&plant.cpu).tank;
-        let (open, vessel, supply, spilled) = (tank.valve_open(), tank.vessel_litres(), tank.supply_litres(), tank.spilled_litres());
-        let full = vessel >= f64::from(tank.settings().vessel_litres) && open && spilled > 0.0;
-        if open {
+    fn look_after_plant(&mut self, plant: &mut Plant, seen: &Seen) {
+        if seen.open {
             self.exchange_us = None;
             self.idle_since_us = self.now_us;
-        } else if vessel > 0.0 && self.exchange_us.is_none() {
+        } else if seen.vessel > 0.0 && self.exchange_us.is_none() {
             self.exchange_us = Some(self.now_us + EXCHANGE_US);
         }
-        if full && !self.spilling {
-            self.note(plant, "the container overflows!");
+        if seen.spilled > 0.0 && self.spilled == 0.0 {
+            self.notes.push("the container overflows!".to_owned());
         }
-        self.spilling = full;
+        self.spilled = seen.spilled;
         if self.exchange_us.is_some_and(|due| due <= self.now_us) {
             self.exchange_us = None;
-            dosing_mut(plant).tank.exchange_vessel();
-            self.note(plant, format!("container with {vessel:.1} l leaves"));
+            Self::attend(plant, Attention::ExchangeVessel);
+            self.spilled = 0.0;
+            self.notes.push(format!("container with {:.1} l leaves", seen.vessel));
         }
-        if !open && supply < REFILL_LITRES {
-            dosing_mut(plant).tank.refill();
-            self.note(plant, "the tank is filled again");
+        if !seen.open && seen.supply < REFILL_LITRES {
+            Self::attend(plant, Attention::Refill);
+            self.notes.push("the tank is filled again".to_owned());
         }
     }
 
     /// When the story goes on by itself.
-    fn story_due_us(&self, cpu: &Cpu) -> Option<u64> {
-        let tank = &dosing(cpu).tank;
-        let waits = self.story
-            && cpu.mode() == OperatingMode::Run
-            && !tank.valve_open()
-            && !tank.is_pressed(Button::Start)
-            && !tank.is_pressed(Button::Stop);
+    fn story_due_us(&self, plant: &Plant, seen: &Seen) -> Option<u64> {
+        let waits = self.was_on
+            && plant.cpu.mode() == OperatingMode::Run
+            && !seen.open
+            && !Button::Start.is_pressed(plant)
+            && !Button::Stop.is_pressed(plant);
         let after_user = self.user_us.map_or(0, |user| user + USER_US);
         waits.then(|| (self.idle_since_us + STORY_US).max(after_user))
     }
 
-    fn tell_story(&mut self, plant: &mut Plant) {
-        if self.story_due_us(&plant.cpu).is_some_and(|due| due <= self.now_us) && self.exchange_us.is_none() {
-            if dosing(&plant.cpu).meter_failed {
-                self.switch_meter(plant);
+    fn tell_story(&mut self, plant: &mut Plant, seen: &Seen) {
+        if self.story_due_us(plant, seen).is_some_and(|due| due <= self.now_us) && self.exchange_us.is_none() {
+            if seen.meter_failed {
+                plant.cpu.rack_mut().modules_mut::<wrap::Plant>().take(1).for_each(|dosing| {
+                    dosing.mend(Some(METER));
+                });
+                self.notes.push("flow meter works again".to_owned());
             }
-            self.note(plant, "the demo presses START");
+            self.notes.push("the demo presses START".to_owned());
             self.push(plant, Button::Start);
             self.idle_since_us = self.now_us;
         }
         // A user who left with a failed meter left an open valve and an empty tank.
-        let left_alone = self.story && self.user_us.is_none_or(|user| user + USER_US <= self.now_us);
-        let tank = &dosing(&plant.cpu).tank;
-        if left_alone && tank.valve_open() && tank.supply_litres() <= 0.0 && !tank.is_pressed(Button::Stop) {
-            self.note(plant, "the demo presses STOP");
+        let left_alone = self.was_on && self.user_us.is_none_or(|user| user + USER_US <= self.now_us);
+        if left_alone && seen.open && seen.supply <= 0.0 && !Button::Stop.is_pressed(plant) {
+            self.notes.push("the demo presses STOP".to_owned());
             self.push(plant, Button::Stop);
         }
-    }
-}
-
-fn index(button: Button) -> usize {
-    match button {
-        Button::Start => 0,
-        Button::Stop => 1,
     }
 }

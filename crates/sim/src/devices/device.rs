@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use sieben_cpu::IoModule;
 
-use super::{Direction, Kind, Process, STEP_US};
+use super::{Attention, Direction, Kind, Process, STEP_US};
 
 /// Steps in one go: an hour. Time beyond them does not pass for the plant, so that no jump of the clock can keep a CPU busy.
 const STEPS_MAX: u64 = 3_600_000_000 / STEP_US;
@@ -77,6 +77,10 @@ impl Device {
     /// A value of [`Self::state`].
     pub fn value(&self, name: &str) -> Option<f64> {
         self.state().into_iter().find(|row| row.0 == name).map(|row| row.1)
+    }
+    /// The world around it does something for it.
+    pub fn attend(&mut self, attention: Attention) {
+        self.process.attend(attention);
     }
     /// The input bytes as the CPU sees them.
     pub fn input_bytes(&self) -> Vec<u8> {

@@ -14,7 +14,7 @@ use sieben_cpu::IoModule;
 use sieben_model::bcd;
 
 use super::random::Random;
-use super::{Kind, Process, STEP_US, actuator, closed_hand, commanded, hand, is_set, parameter, put_bits, sensor};
+use super::{Attention, Kind, Process, STEP_US, actuator, closed_hand, commanded, hand, is_set, parameter, put_bits, sensor};
 
 /// Microlitres in a litre.
 const LITRE: u64 = 1_000_000;
@@ -278,6 +278,13 @@ impl Process for DosingPlant {
     }
     fn copy(&self) -> Box<dyn Process> {
         Box::new(self.clone())
+    }
+    fn attend(&mut self, attention: Attention) {
+        match attention {
+            // What was spilled was wiped up with it.
+            Attention::ExchangeVessel => (self.vessel, self.spilled) = (0, 0),
+            Attention::Refill => self.refill(),
+        }
     }
 }
 

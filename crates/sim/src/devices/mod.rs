@@ -31,6 +31,19 @@ pub trait Process: Send {
     fn state(&self) -> Vec<(&'static str, f64, &'static str)>;
     /// The same process in the same state.
     fn copy(&self) -> Box<dyn Process>;
+    /// The world around the plant does something that no terminal has; nothing where there is nothing of the kind.
+    fn attend(&mut self, attention: Attention) {
+        let _ = attention;
+    }
+}
+
+/// What the world around a plant does for it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Attention {
+    /// An empty vessel takes the place of the full one.
+    ExchangeVessel,
+    /// What is used up is filled again.
+    Refill,
 }
 
 /// Which way a signal goes, seen from the CPU.

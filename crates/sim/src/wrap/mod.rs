@@ -9,7 +9,7 @@ use std::ops::Range;
 use sieben_cpu::{IoModule, Rack};
 
 use crate::devices::random::Random;
-use crate::devices::{Device, DeviceSettings, Kind, Place, Signal};
+use crate::devices::{Attention, Device, DeviceSettings, Kind, Place, Signal};
 pub use fault::{Fault, FaultKind};
 
 /// Faults of one module: more is a slip of the pen.
@@ -96,13 +96,17 @@ impl Plant {
     pub fn device(&self) -> &Device {
         &self.device
     }
-    /// What the CPU has put out.
-    pub fn commands(&self) -> &[u8] {
-        &self.commands
-    }
     /// What it is.
     pub fn kind(&self) -> &'static Kind {
         self.device.settings().kind
+    }
+    /// The world around it does something for it.
+    pub fn attend(&mut self, attention: Attention) {
+        self.device.attend(attention);
+    }
+    /// The output bytes as the CPU wrote them.
+    pub fn commands(&self) -> &[u8] {
+        &self.commands
     }
     /// Its faults, those too whose time has not come or is over.
     pub fn faults(&self) -> impl Iterator<Item = &Fault> {

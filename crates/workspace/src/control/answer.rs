@@ -7,7 +7,11 @@ use sieben_model::block::{BlockId, BlockLanguage};
 use sieben_model::value::Value;
 
 use super::facts::{Client, Placed};
+use super::listing::Listing;
+use super::plants::{PlantFaults, PlantView};
+use super::table::Table;
 use crate::names::shown_json;
+use crate::observed::{Entry as Observation, Event};
 use crate::pace::Speed;
 use crate::refusal::Refusal;
 
@@ -31,7 +35,15 @@ pub enum Answer {
     /// The time after a change.
     Time(Time),
     /// The plants with their faults.
-    Plants(Vec<PlantFaults>),
+    Faults(Vec<PlantFaults>),
+    /// The plants at one moment.
+    Plants(Vec<PlantView>),
+    /// A block as it is listed.
+    Listing(Listing),
+    /// The assignment table.
+    Names(Table),
+    /// What changed.
+    Changes(Changes),
 }
 
 /// How a run goes.
@@ -39,6 +51,8 @@ pub enum Answer {
 pub struct State {
     /// The name of the project, if it has one.
     pub project: Option<String>,
+    /// How many programs took over from the first one.
+    pub version: u64,
     /// The CPU type.
     pub cpu: &'static str,
     /// What the CPU does.
@@ -124,6 +138,15 @@ pub struct Entry {
     pub place: Option<Placed>,
 }
 
+/// What changed.
+#[derive(Clone, Debug)]
+pub struct Changes {
+    /// The number of the newest entry; 0 if there has been none.
+    pub newest: u64,
+    /// The entries, oldest first.
+    pub entries: Vec<Observation>,
+}
+
 /// Blocks that are loaded.
 #[derive(Clone, Debug)]
 pub struct Blocks {
@@ -165,6 +188,8 @@ pub struct Statement {
     pub before: Registers,
     /// The registers that it left then.
     pub after: Registers,
+    /// The variable that an assignment of ST wrote then.
+    pub value: Option<String>,
 }
 
 /// The mode after a change.
@@ -189,19 +214,6 @@ pub struct Time {
     pub time_us: u64,
     /// Scans that are asked for and still to come.
     pub scans_left: u64,
-}
-
-/// A plant with its faults.
-#[derive(Clone, Debug)]
-pub struct PlantFaults {
-    /// Its name.
-    pub module: String,
-    /// What it is.
-    pub kind: &'static str,
-    /// The signals that can fail.
-    pub signals: Vec<&'static str>,
-    /// Its faults, as they are injected.
-    pub faults: Vec<String>,
 }
 
 /// The line that answers a request, with its end.
@@ -254,7 +266,13 @@ impl Answer {
                 "paused": time.paused, "speed": time.speed.to_string(), "scans": time.scans,
                 "time_ms": milliseconds(time.time_us), "scans_left": time.scans_left,
             }),
-            Self::Plants(plants) => json!({ "plants": plants.iter().map(PlantFaults::json).collect::<Json>() }),
+            Self::Faults(plants) => json!({ "plants": plants.iter().map(PlantFaults::json).collect::<Json>() }),
+            Self::Plants(plants) => json!({ "plants": plants.iter().map(PlantView::json).collect::<Json>() }),
+            Self::Listing(listing) => listing.json(),
+            Self::Names(table) => table.json(),
+            Self::Changes(Changes { newest, entries }) => {
+                json!({ "newest": newest, "entries": entries.iter().map(change_json).collect::<Json>() })
+            }
         };
         match json {
             Json::Object(fields) => fields,
@@ -284,7 +302,7 @@ impl State {
         let cycle = &self.cycle;
         let forced = self.forced.iter().map(|(name, value)| json!({ "name": name, "shown": value })).collect::<Json>();
         json!({
-            "project": self.project, "cpu": self.cpu, "mode": self.mode.to_string(), "stop": self.stop.as_ref().map(Stop::json),
+            "project": self.project, "version": self.version, "cpu": self.cpu, "mode": self.mode.to_string(), "stop": self.stop.as_ref().map(Stop::json),
             "scans": self.scans, "time_ms": milliseconds(self.time_us), "clock": self.clock,
             "cycle_ms": { "last": milliseconds(cycle.last), "min": milliseconds(cycle.min), "max": milliseconds(cycle.max) },
             "execution_ms": { "last": milliseconds(cycle.execution_last), "max": milliseconds(cycle.execution_max) },
@@ -327,6 +345,19 @@ fn done_json((name, outcome): &(String, Result<(), Refusal>), scan: Option<u64>)
     }
 }
 
+fn change_json(entry: &Observation) -> Json {
+    let mut object = json!({ "number": entry.number, "scan": entry.scan, "time_ms": milliseconds(entry.time_us) });
+    match &entry.event {
+        Event::Note(text) => object["note"] = json!(text),
+        Event::Change { name, address, before, after, comment } => {
+            for (key, text) in [("name", name), ("address", address), ("before", before), ("after", after), ("comment", comment)] {
+                object[key] = json!(text);
+            }
+        }
+    }
+    object
+}
+
 /// The word for a language of blocks.
 fn language(language: BlockLanguage) -> &'static str {
     match language {
@@ -367,17 +398,12 @@ impl Status {
             json!({
                 "statement": statement.place.statement, "file": line.map(|(file, _)| file), "line": line.map(|(_, number)| number),
                 "times": statement.times, "before": registers_json(&statement.before), "after": registers_json(&statement.after),
+                "shown": statement.value,
             })
         };
         json!({
             "block": self.block.to_string(), "sample": self.sample, "scan": self.scan, "time_ms": milliseconds(self.time_us),
             "same": self.same, "next": self.next, "statements": self.statements.iter().map(statement).collect::<Json>(),
         })
-    }
-}
-
-impl PlantFaults {
-    fn json(&self) -> Json {
-        json!({ "module": self.module, "kind": self.kind, "signals": self.signals, "faults": self.faults })
     }
 }

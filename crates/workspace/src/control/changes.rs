@@ -7,7 +7,7 @@ use crate::refusal::Refusal;
 /// Something that a request has changed, or was refused to change.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Change {
-    /// What was done: `write`, `force`, `unforce`, `stop`, `start`, `memory_reset`, `fault`, `fault_end`.
+    /// What was done: `write`, `press`, `force`, `unforce`, `stop`, `start`, `memory_reset`, `fault`, `fault_end`.
     pub what: &'static str,
     /// To what, as it was named.
     pub object: Option<String>,
@@ -48,6 +48,7 @@ pub(super) fn of(request: &Request, answer: &Result<Answer, Refusal>) -> Vec<Cha
     match request {
         Request::Write(values) => pairs("write", values),
         Request::Force(values) => pairs("force", values),
+        Request::Press { items: names, .. } => items("press", &mut names.iter().map(|name| (name, None))),
         Request::Unforce(names) => items("unforce", &mut names.iter().map(|name| (name, None))),
         Request::UnforceAll => vec![one("unforce", None, None)],
         Request::Mode(ModeChange::Stop) => vec![one("stop", None, None)],
@@ -61,7 +62,11 @@ pub(super) fn of(request: &Request, answer: &Result<Answer, Refusal>) -> Vec<Cha
         | Request::Diagnostics { .. }
         | Request::Blocks { .. }
         | Request::Status { .. }
-        | Request::Time(_) => Vec::new(),
+        | Request::Time(_)
+        | Request::Plants
+        | Request::Listing { .. }
+        | Request::Names { .. }
+        | Request::Changes { .. } => Vec::new(),
     }
 }
 

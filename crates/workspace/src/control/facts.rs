@@ -1,14 +1,19 @@
 //! What is known of the program that runs beside what the CPU has of it: names, and places in the sources.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use sieben_engine::{FaultPlace, Program};
-use sieben_model::address::Operand;
-use sieben_model::block::BlockId;
+use sieben_lang::body::CheckedBody;
+use sieben_lang::references::Usage;
+use sieben_lang::references::target::{Extent, Memory, Target};
+use sieben_model::address::{Address, Area, Operand};
+use sieben_model::block::{BlockId, BlockKind};
+use sieben_model::mnemonics::Mnemonics;
 use sieben_model::source::{FileId, Sources};
 use sieben_model::symbols::SymbolTable;
+use sieben_sim::names::Scope;
 
 use super::changes::{Change, Listener};
 use crate::controller;
@@ -29,7 +34,29 @@ pub struct Facts {
     pub program: Arc<Program>,
     /// All that the compiler knows of it, where that was kept.
     pub build: Option<Arc<Build>>,
+    /// Blocks that are listed as their source, with what their variables are called by: those of ST.
+    pub text_blocks: BTreeMap<BlockId, Scope>,
+    /// Statements of STL that elements of diagrams stand for.
+    pub stated: BTreeMap<(BlockId, u32), String>,
+    /// Inputs, outputs, bit memory, timers and counters that the program names and that have no symbol.
+    pub used: Vec<Operand>,
+    /// Blocks that a block calls, each once, in their order.
+    pub calls: BTreeMap<BlockId, Vec<BlockId>>,
+    /// The byte of bit memory that the CPU counts its clock in, which no program changes.
+    pub clock_memory_byte: Option<u32>,
+    /// Blocks of the library.
+    pub library: BTreeSet<BlockId>,
+    /// The mnemonic language of each source.
+    pub mnemonics: BTreeMap<FileId, Mnemonics>,
 }
+
+/// Statements of a program whose references are looked through: in larger ones only what has a symbol is listed.
+const SEARCHED_STATEMENTS_MAX: usize = 20_000;
+
+/// OB 1 is short beside a block that has more than so many times its statements.
+const SHORT: usize = 3;
+/// Organization blocks that run once, at a start.
+const STARTUPS: [u16; 3] = [100, 101, 102];
 
 /// A statement as people find it.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -45,6 +72,72 @@ pub struct Placed {
 impl Facts {
     /// What a build knows of the program that a CPU runs.
     pub fn of(build: &Build, program: &Arc<Program>) -> Self {
+        let mut facts = Self::named(build, program);
+        facts.clock_memory_byte = build.project.settings.clock_memory_byte.map(u32::from);
+        facts.mnemonics.clone_from(&build.compiled.mnemonics);
+        facts.library = program.code.keys().copied().filter(|&block| build.compiled.is_of_library(block)).collect();
+        for (&block, body) in &build.compiled.bodies {
+            match body.as_ref() {
+                CheckedBody::St(_) => {
+                    facts.text_blocks.insert(block, Scope { block, bare: body.has_bare_names() });
+                }
+                CheckedBody::Stl(_) => {
+                    let count = program.code.get(&block).map_or(0, |code| u32::try_from(code.spans.len()).unwrap_or(u32::MAX));
+                    let stated = (0..count).filter_map(|number| Some(((block, number), body.stated(number)?.to_owned())));
+                    facts.stated.extend(stated);
+                }
+            }
+        }
+        if program.code.values().map(|code| code.spans.len()).sum::<usize>() <= SEARCHED_STATEMENTS_MAX {
+            facts.search(build);
+        }
+        facts
+    }
+
+    /// Looks through all references: what is used without a symbol, and who calls whom.
+    fn search(&mut self, build: &Build) {
+        let mut used = BTreeSet::new();
+        for &block in build.compiled.bodies.keys().filter(|&&block| !self.library.contains(&block)) {
+            for reference in build.compiled.references(block) {
+                match (reference.usage, &reference.target) {
+                    (Usage::Call(_), Target::Block(callee)) => {
+                        let calls = self.calls.entry(block).or_default();
+                        if !calls.contains(callee) {
+                            calls.push(*callee);
+                        }
+                    }
+                    (Usage::Access(_), target) => {
+                        used.insert(target.clone());
+                    }
+                    _ => {}
+                }
+            }
+        }
+        let without_symbol = |operand: &Operand| self.symbols.find_operand(operand).is_none();
+        self.used = used.iter().filter_map(operand).filter(without_symbol).collect();
+    }
+
+    /// Where a screen begins: OB 1, or the longest block that an organization block reaches, if OB 1 is short beside it. Blocks of the library
+    /// are no matter of the user.
+    pub fn first_block(&self) -> Option<BlockId> {
+        let statements = |block: &BlockId| self.program.code.get(block).map_or(0, |code| code.spans.len());
+        let is_root = |block: &&BlockId| block.kind == BlockKind::OrganizationBlock && !STARTUPS.contains(&block.number);
+        let mut reached: Vec<BlockId> = self.program.code.keys().filter(is_root).copied().collect();
+        let mut at = 0;
+        while let Some(block) = reached.get(at).copied() {
+            at += 1;
+            let called = self.calls.get(&block).into_iter().flatten();
+            let new: Vec<BlockId> = called.filter(|block| !self.library.contains(block) && !reached.contains(block)).copied().collect();
+            reached.extend(new);
+        }
+        let cycle = BlockId::ob(1);
+        let longest = reached.into_iter().rev().max_by_key(statements)?;
+        let is_short = statements(&cycle) * SHORT < statements(&longest);
+        Some(if is_short || !self.program.code.contains_key(&cycle) { longest } else { cycle })
+    }
+
+    /// The names of a program and its texts.
+    fn named(build: &Build, program: &Arc<Program>) -> Self {
         let named = program.code.keys().filter_map(|&id| Some((id, controller::name_in_source(build, id)?.to_owned())));
         Self {
             project: build.project.settings.name.clone(),
@@ -53,6 +146,7 @@ impl Facts {
             sources: build.project.texts.program.clone(),
             program: Arc::clone(program),
             build: Some(Arc::new(build.clone())),
+            ..Self::default()
         }
     }
 
@@ -80,7 +174,26 @@ pub struct Places<'f> {
     lines: BTreeMap<FileId, Vec<u32>>,
 }
 
+/// What can be read at a target of the program.
+fn operand(target: &Target) -> Option<Operand> {
+    match target {
+        Target::Memory(Memory { area, db: None, position, extent: Extent::Width(width) }) => {
+            let is_shown = matches!(area, Area::Input | Area::Output | Area::BitMemory | Area::PeripheralInput | Area::PeripheralOutput);
+            let bit = (position % 8) as u8;
+            is_shown.then_some(Operand::Address(Address { area: *area, width: *width, byte: position / 8, bit }))
+        }
+        Target::Timer(number) => Some(Operand::Timer(*number)),
+        Target::Counter(number) => Some(Operand::Counter(*number)),
+        _ => None,
+    }
+}
+
 impl Places<'_> {
+    /// File and line of a statement, by its number from 0.
+    pub fn line_of(&mut self, block: BlockId, statement: u32) -> Option<(String, u32)> {
+        self.line(FaultPlace { block, statement })
+    }
+
     /// The place of a statement.
     pub fn of(&mut self, place: FaultPlace) -> Placed {
         Placed { block: place.block, statement: u64::from(place.statement) + 1, line: self.line(place) }

@@ -5,32 +5,38 @@
 pub mod answer;
 pub mod changes;
 pub mod facts;
+pub mod listing;
+pub mod plants;
 pub mod request;
 mod status;
+pub mod table;
 
 use std::collections::HashMap;
 use std::sync::Arc;
 use std::time::Duration;
 
 pub use answer::{Answer, line};
-use answer::{Blocks, Diagnostics, Done, Entry, Mode, PlantFaults, State, Stop, Time, Values};
+use answer::{Blocks, Changes, Diagnostics, Done, Entry, Mode, State, Stop, Time, Values};
 pub use facts::{Client, Clients, Connection, CurrentFacts, Facts};
+use plants::{PlantFaults, plant_faults};
 use request::shortened;
-pub use request::{FaultChange, LINE_BYTES_MAX, ModeChange, Request, TimeChange, parse, too_long};
+pub use request::{FaultChange, LINE_BYTES_MAX, ModeChange, Request, TimeChange, Wait, parse, too_long};
 use sieben_cpu::communication::Requester;
 use sieben_cpu::diagnostic_buffer::place_text;
 use sieben_cpu::{AccessError, OperatingMode, Restart, Station};
-use sieben_model::address::{Address, Area, Width};
+use sieben_model::address::{Address, Area, Operand, Width};
+use sieben_model::block::BlockId;
 use sieben_model::item::{Item, Place};
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
 use sieben_model::value::{Kind, Value};
 use sieben_sim::names::{Name, NameError};
 use sieben_sim::wrap::{self, Fault};
+pub use table::watched;
 
 use crate::gate::{Closed, Gate, ITEMS_MAX, ListError, Plant};
 use crate::refusal::Refusal;
-use crate::status::Desk;
+use crate::status::{Desk, Written};
 
 /// Longest name that is kept, in bytes.
 const NAME_BYTES_MAX: usize = 200;
@@ -58,6 +64,10 @@ pub struct Control {
     facts: Arc<Facts>,
     version: u64,
     names: HashMap<String, Result<Name, NameError>>,
+    /// The variables that blocks of ST write.
+    written: HashMap<BlockId, Written>,
+    /// Bits that are pressed, and until when, in the CPU's time.
+    pressed: HashMap<String, u64>,
 }
 
 /// Names with what they mean, or why they mean nothing.
@@ -107,7 +117,7 @@ impl Control {
     /// The same for a client that comes from elsewhere.
     pub fn of_peer(current: Arc<CurrentFacts>, peer: String) -> Self {
         let (version, facts) = (current.version(), current.facts());
-        Self { peer, current, facts, version, names: HashMap::new() }
+        Self { peer, current, facts, version, names: HashMap::new(), written: HashMap::new(), pressed: HashMap::new() }
     }
 
     /// Answers one line of JSON with another.
@@ -144,12 +154,18 @@ impl Control {
             }
             Request::Diagnostics { after } => self.diagnostics(gate, *after).map(Answer::Diagnostics),
             Request::Blocks { from } => self.blocks(gate, *from).map(Answer::Blocks),
-            Request::Status { block, after, from } => {
-                status::status(gate, desk, &self.facts, (block, *after, *from)).map(|status| Answer::Status(Box::new(status)))
+            Request::Status { block, after, from, wait } => {
+                status::status(gate, desk, (&self.facts, &mut self.written), (block, *after, *from, *wait))
+                    .map(|status| Answer::Status(Box::new(status)))
             }
             Request::Mode(change) => mode(gate, *change).map(Answer::Mode),
             Request::Time(change) => time(gate, *change).map(Answer::Time),
-            Request::Faults(change) => faults(gate, change).map(Answer::Plants),
+            Request::Faults(change) => faults(gate, change).map(Answer::Faults),
+            Request::Plants => Ok(Answer::Plants(plants::plants(gate, &self.facts)?)),
+            Request::Listing { block, from } => listing::listing(&self.facts, block.as_deref(), *from).map(Answer::Listing),
+            Request::Names { from } => Ok(Answer::Names(table::table(gate, &self.facts, *from)?)),
+            Request::Changes { after } => self.changes(gate, desk, *after).map(Answer::Changes),
+            Request::Press { items, ms } => self.press(gate, items, *ms).map(Answer::Done),
         }
     }
 
@@ -160,6 +176,7 @@ impl Control {
             self.facts = self.current.facts();
             self.version = version;
             self.names.clear();
+            self.written.clear();
         }
     }
 
@@ -231,6 +248,7 @@ impl Control {
             let cpu = &plant.cpu;
             let state = State {
                 project: None,
+                version: self.version,
                 cpu: cpu.cpu_type().name,
                 mode: cpu.mode(),
                 stop: None,
@@ -346,6 +364,45 @@ impl Control {
         self.at_one_program(gate, |this| this.named(names).map_err(Err), unforce).map_or_else(|early| early, |(_, done)| Ok(done))
     }
 
+    /// Gives bits the other value, and the one that they had after a while; those that are pressed already are left alone.
+    fn press(&mut self, gate: &Gate, names: &[String], ms: u64) -> Result<Done, Refusal> {
+        let before = self.pressed.clone();
+        let press = |meant: &Meant<Name>, plant: &mut Plant| {
+            let now_us = plant.pace.time_us(gate.now_us()).max(plant.cpu.time_us());
+            let until_us = now_us.saturating_add(ms.saturating_mul(1_000));
+            let is_pressed = |text: &String| before.get(text).is_some_and(|&until_us| until_us > now_us);
+            let press = |(text, name): &(String, Result<Name, Refusal>)| {
+                let done = match name {
+                    _ if is_pressed(text) => Ok(()),
+                    Ok(name) => press(name, plant, until_us),
+                    Err(refusal) => Err(refusal.clone()),
+                };
+                (text.clone(), done)
+            };
+            let items: Vec<(String, Result<(), Refusal>)> = meant.iter().map(press).collect();
+            (now_us, until_us, Done { items, scan: Some(plant.scans) })
+        };
+        let (_, (now_us, until_us, done)) = match self.at_one_program(gate, |this| this.named(names).map_err(Err), press) {
+            Ok(pressed) => pressed,
+            Err(early) => return early,
+        };
+        self.pressed.retain(|_, until_us| *until_us > now_us);
+        for (text, _) in done.items.iter().filter(|(_, outcome)| outcome.is_ok()) {
+            self.pressed.entry(text.clone()).or_insert(until_us);
+        }
+        Ok(done)
+    }
+
+    /// What changed, which is looked for from now on.
+    fn changes(&self, gate: &Gate, desk: &Desk, after: u64) -> Result<Changes, Refusal> {
+        if gate.is_closed() {
+            return Err(Closed.into());
+        }
+        desk.observed.look(self.version, || watched(&self.facts), gate.now_us());
+        let (newest, entries) = desk.observed.newer_than(after);
+        Ok(Changes { newest, entries })
+    }
+
     fn diagnostics(&self, gate: &Gate, after: u64) -> Result<Diagnostics, Refusal> {
         let (newest, entries) = gate.enter(|plant| {
             let buffer = plant.cpu.diagnostic_buffer();
@@ -374,6 +431,24 @@ impl Control {
         };
         Ok(Blocks { total, next: (next < total).then_some(next), blocks: views.into_iter().flatten().map(named).collect() })
     }
+}
+
+/// Gives a bit the other value until this time of the CPU.
+fn press(name: &Name, plant: &mut Plant, until_us: u64) -> Result<(), Refusal> {
+    let Some(&Operand::Address(Address { area: Area::Input | Area::PeripheralInput, width: Width::Bit, byte, bit: number })) =
+        name.operand()
+    else {
+        return Err(Refusal::new(Problem::P7104, format!("`{}` is no input bit, which alone can be pressed", shortened(name.text()))));
+    };
+    let refused = |error: NameError| unknown(&error);
+    let bit = |value: bool| Value::bits(Kind::Bit, u64::from(value));
+    // The module has what the process image only sees with the next scan.
+    let is_on = match plant.cpu.rack().peripheral_read(byte, Width::Byte) {
+        Some(byte) => byte >> number & 1 == 1,
+        None => name.content(&plant.cpu).map_err(refused)?.bits().is_some_and(|bits| bits != 0),
+    };
+    name.set(&mut plant.cpu, &bit(!is_on)).map_err(refused)?;
+    name.set_at(&mut plant.cpu, &bit(is_on), until_us).map_err(refused)
 }
 
 /// A name with the value that a text means for it.
@@ -505,23 +580,13 @@ fn faults(gate: &Gate, change: &FaultChange) -> Result<Vec<PlantFaults>, Refusal
     })?
 }
 
-fn plant_faults(plant: &wrap::Plant) -> PlantFaults {
-    use sieben_cpu::IoModule;
-    PlantFaults {
-        module: plant.name().to_owned(),
-        kind: plant.kind().name,
-        signals: plant.kind().signals.iter().map(|signal| signal.name).collect(),
-        faults: plant.faults().map(ToString::to_string).collect(),
-    }
-}
-
 /// Reads the input as lines of requests, and their names and values as those of an empty program: a target of the fuzzer.
 pub fn fuzz(data: &[u8]) {
     let mut control = Control::new(Arc::new(CurrentFacts::default()));
     for request in data.split(|&byte| byte == b'\n') {
         let (id, request) = parse(request);
         let answer = match &request {
-            Ok(Request::Read(names) | Request::Unforce(names)) => control.named(names).map(|meant| {
+            Ok(Request::Read(names) | Request::Unforce(names) | Request::Press { items: names, .. }) => control.named(names).map(|meant| {
                 let none = |(text, name): (String, Result<Name, Refusal>)| (text, name.and_then(|_| Err(changing())));
                 Answer::Values(Values { scan: 0, items: meant.into_iter().map(none).collect() })
             }),
@@ -533,10 +598,8 @@ pub fn fuzz(data: &[u8]) {
                     Err(message) => message,
                 },
             )),
-            Ok(Request::Status { block, .. }) => {
-                // What it means is no matter.
-                let _ = control.facts.block(block);
-                Err(changing())
+            Ok(Request::Status { block, .. } | Request::Listing { block: Some(block), .. }) => {
+                listing::listing(&control.facts, Some(block), 0).map(Answer::Listing)
             }
             Ok(_) => Err(changing()),
             Err(refusal) => Err(refusal.clone()),

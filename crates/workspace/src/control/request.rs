@@ -15,6 +15,11 @@ const ID_BYTES_MAX: usize = 200;
 /// Most scans that one request asks for while time stands still.
 const STEPS_MAX: u64 = 1_000_000;
 
+/// How long a bit is pressed if the request does not say it, in milliseconds.
+const PRESS_MS: u64 = 400;
+/// How long it is pressed at most, in milliseconds: a minute.
+const PRESS_MS_MAX: u64 = 60_000;
+
 /// Something that is asked of a run.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Request {
@@ -48,6 +53,34 @@ pub enum Request {
         after: u64,
         /// The first statement that is wanted, from 1.
         from: u32,
+        /// Whether the next sample is waited for.
+        wait: Wait,
+    },
+    /// The plants at one moment.
+    Plants,
+    /// A block as it is listed.
+    Listing {
+        /// The block; none = where a screen begins.
+        block: Option<String>,
+        /// How many lines are left out at the beginning.
+        from: usize,
+    },
+    /// The assignment table.
+    Names {
+        /// How many rows are left out at the beginning.
+        from: usize,
+    },
+    /// What changed after the entry with this number.
+    Changes {
+        /// The number of the last entry that is known; 0 for none.
+        after: u64,
+    },
+    /// Bits that have the other value for a while.
+    Press {
+        /// Their names.
+        items: Vec<String>,
+        /// For how many milliseconds of the CPU's time.
+        ms: u64,
     },
     /// Another operating mode.
     Mode(ModeChange),
@@ -55,6 +88,15 @@ pub enum Request {
     Time(TimeChange),
     /// The plants with their faults, after this change.
     Faults(FaultChange),
+}
+
+/// Whether a sample is waited for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Wait {
+    /// Until there is a newer one, for two seconds at most.
+    ForNewer,
+    /// Not at all: the newest one is taken.
+    Not,
 }
 
 /// Another operating mode.
@@ -109,11 +151,16 @@ const VERBS: &[Verb] = &[
     Verb { name: "unforce", fields: &["items"], read: |fields| Ok(Request::Unforce(fields.names()?)) },
     Verb { name: "unforce_all", fields: &[], read: |_| Ok(Request::UnforceAll) },
     Verb { name: "diagnostics", fields: &["after"], read: |fields| Ok(Request::Diagnostics { after: fields.number("after", 0)? }) },
-    Verb { name: "blocks", fields: &["from"], read: |fields| Ok(Request::Blocks { from: usize::try_from(fields.number("from", 0)?).unwrap_or(usize::MAX) }) },
-    Verb { name: "status", fields: &["block", "after", "from"], read: |fields| fields.status() },
+    Verb { name: "blocks", fields: &["from"], read: |fields| Ok(Request::Blocks { from: fields.count("from")? }) },
+    Verb { name: "status", fields: &["block", "after", "from", "wait"], read: |fields| fields.status() },
     Verb { name: "mode", fields: &["mode", "restart"], read: |fields| fields.mode() },
     Verb { name: "time", fields: &["time", "scans", "speed"], read: |fields| fields.time() },
     Verb { name: "faults", fields: &["inject", "mend"], read: |fields| fields.faults() },
+    Verb { name: "plants", fields: &[], read: |_| Ok(Request::Plants) },
+    Verb { name: "listing", fields: &["block", "from"], read: |fields| Ok(Request::Listing { block: fields.text("block")?.map(str::to_owned), from: fields.count("from")? }) },
+    Verb { name: "names", fields: &["from"], read: |fields| Ok(Request::Names { from: fields.count("from")? }) },
+    Verb { name: "changes", fields: &["after"], read: |fields| Ok(Request::Changes { after: fields.number("after", 0)? }) },
+    Verb { name: "press", fields: &["items", "ms"], read: |fields| fields.press() },
 ];
 
 fn not_understood(message: impl Into<String>) -> Refusal {
@@ -187,6 +234,18 @@ impl<'a> Fields<'a> {
         }
     }
 
+    /// How many things are left out.
+    fn count(&self, key: &str) -> Result<usize, Refusal> {
+        Ok(usize::try_from(self.number(key, 0)?).unwrap_or(usize::MAX))
+    }
+
+    fn press(&self) -> Result<Request, Refusal> {
+        match self.number("ms", PRESS_MS)? {
+            ms @ 1..=PRESS_MS_MAX => Ok(Request::Press { items: self.names()?, ms }),
+            _ => Err(Refusal::new(Problem::P7092, format!("`ms` is a number from 1 to {PRESS_MS_MAX}"))),
+        }
+    }
+
     fn names(&self) -> Result<Vec<String>, Refusal> {
         let wanted = || not_understood("`items` is a list of names; write `\"items\": [\"MW10\", \"DB1.speed\"]`");
         let Some(Json::Array(items)) = self.0.get("items") else { return Err(wanted()) };
@@ -213,7 +272,12 @@ impl<'a> Fields<'a> {
     fn status(&self) -> Result<Request, Refusal> {
         let block = self.wanted("block", "OB 1")?.to_owned();
         let from = u32::try_from(self.number("from", 1)?.max(1)).unwrap_or(u32::MAX);
-        Ok(Request::Status { block, after: self.number("after", 0)?, from })
+        let wait = match self.0.get("wait") {
+            None | Some(Json::Bool(true)) => Wait::ForNewer,
+            Some(Json::Bool(false)) => Wait::Not,
+            Some(_) => return Err(not_understood("`wait` is true or false")),
+        };
+        Ok(Request::Status { block, after: self.number("after", 0)?, from, wait })
     }
 
     fn mode(&self) -> Result<Request, Refusal> {
@@ -307,7 +371,16 @@ mod tests {
             (r#"{"verb":"diagnostics"}"#, Request::Diagnostics { after: 0 }),
             (r#"{"verb":"diagnostics","after":7}"#, Request::Diagnostics { after: 7 }),
             (r#"{"verb":"blocks","from":3}"#, Request::Blocks { from: 3 }),
-            (r#"{"verb":"status","block":"OB1"}"#, Request::Status { block: "OB1".to_owned(), after: 0, from: 1 }),
+            (r#"{"verb":"status","block":"OB1"}"#, Request::Status { block: "OB1".to_owned(), after: 0, from: 1, wait: Wait::ForNewer }),
+            (
+                r#"{"verb":"status","block":"OB1","wait":false}"#,
+                Request::Status { block: "OB1".to_owned(), after: 0, from: 1, wait: Wait::Not },
+            ),
+            (r#"{"verb":"plants"}"#, Request::Plants),
+            (r#"{"verb":"listing","from":3}"#, Request::Listing { block: None, from: 3 }),
+            (r#"{"verb":"names"}"#, Request::Names { from: 0 }),
+            (r#"{"verb":"changes","after":7}"#, Request::Changes { after: 7 }),
+            (r#"{"verb":"press","items":["I0.0"]}"#, Request::Press { items: vec!["I0.0".to_owned()], ms: 400 }),
             (r#"{"verb":"mode","mode":"run"}"#, Request::Mode(ModeChange::Run(Restart::Warm))),
             (r#"{"verb":"mode","mode":"run","restart":"cold"}"#, Request::Mode(ModeChange::Run(Restart::Cold))),
             (r#"{"verb":"mode","mode":"stop"}"#, Request::Mode(ModeChange::Stop)),
@@ -342,6 +415,8 @@ mod tests {
             (r#"{"verb":"mode","mode":"stop","restart":"warm"}"#, "P7091: `restart` belongs"),
             (r#"{"verb":"mode","mode":"fly"}"#, "P7091: `fly` is no mode"),
             (r#"{"verb":"time","time":"go","scans":1}"#, "P7091: `scans` belongs"),
+            (r#"{"verb":"status","block":"OB1","wait":1}"#, "P7091: `wait` is true or false"),
+            (r#"{"verb":"press","items":["I0.0"],"ms":0}"#, "P7092: `ms` is a number from 1"),
             (r#"{"verb":"time","time":"step","scans":0}"#, "P7092: `scans` is a number from 1"),
             (r#"{"verb":"time","time":"speed","speed":"0x"}"#, "P7091: `0x` is no speed"),
             (r#"{"verb":"faults","inject":"a","mend":"b"}"#, "P7091: one request has"),

@@ -1,16 +1,19 @@
 //! The status of a block for those who ask for one sample at a time.
 
+use std::collections::HashMap;
+use std::sync::Arc;
+
 use sieben_engine::FaultPlace;
 use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::problems::Problem;
 
 use super::answer::{Statement, Status};
 use super::facts::Facts;
-use super::request::shortened;
-use super::{LOOK, WAIT_MAX};
+use super::request::{Wait, shortened};
+use super::{LOOK, WAIT_MAX, listing};
 use crate::gate::{Closed, Gate};
 use crate::refusal::Refusal;
-use crate::status::{Desk, Sample};
+use crate::status::{Desk, Sample, Written};
 
 /// Statements in one answer.
 const STATEMENTS_MAX: usize = 1_000;
@@ -20,10 +23,20 @@ fn not_shown(message: impl Into<String>) -> Refusal {
 }
 
 /// Looks at a block until a sample comes that is newer than the one with the number `after`; 0 stands for the newest one.
-pub(super) fn status(gate: &Gate, desk: &Desk, facts: &Facts, (name, after, from): (&str, u64, u32)) -> Result<Status, Refusal> {
+pub(super) fn status(
+    gate: &Gate,
+    desk: &Desk,
+    (facts, written): (&Facts, &mut HashMap<BlockId, Written>),
+    (name, after, from, wait): (&str, u64, u32, Wait),
+) -> Result<Status, Refusal> {
     let block = facts.block(name).ok_or_else(|| not_shown(format!("there is no block `{}`", shortened(name))))?;
     if block.kind == BlockKind::DataBlock || !facts.program.code.contains_key(&block) {
         return Err(not_shown(format!("{block} has no statements in this program")));
+    }
+    if wait == Wait::Not {
+        let written = written.entry(block).or_insert_with(|| listing::written(facts, block));
+        desk.keep_looking(block, Arc::clone(written), gate.now_us());
+        return newest(gate, desk, facts, (block, after, from));
     }
     let _look = desk.look([block]);
     let now_us = gate.now_us();
@@ -47,6 +60,24 @@ pub(super) fn status(gate: &Gate, desk: &Desk, facts: &Facts, (name, after, from
     Err(Closed.into())
 }
 
+/// The newest sample of a block that is looked at for a while; without statements if there is none after `after`.
+fn newest(gate: &Gate, desk: &Desk, facts: &Facts, (block, after, from): (BlockId, u64, u32)) -> Result<Status, Refusal> {
+    if gate.is_closed() {
+        return Err(Closed.into());
+    }
+    let Some((number, looked)) = desk.newest() else { return Ok(nothing(block, 0)) };
+    let sample = looked.map_err(|error| not_shown(error.to_string()))?;
+    match number > after && sample.blocks.contains(&block) {
+        true => Ok(shown(facts, block, (number, &sample), from)),
+        false => Ok(nothing(block, number.min(after))),
+    }
+}
+
+/// No sample that is newer.
+fn nothing(block: BlockId, sample: u64) -> Status {
+    Status { block, sample, scan: 0, time_us: 0, same: true, next: None, statements: Vec::new() }
+}
+
 fn shown(facts: &Facts, block: BlockId, (number, sample): (u64, &Sample), from: u32) -> Status {
     let first = (block, from.saturating_sub(1));
     let mut wanted = sample.statements.range(first..=(block, u32::MAX));
@@ -58,6 +89,7 @@ fn shown(facts: &Facts, block: BlockId, (number, sample): (u64, &Sample), from: 
             times: status.times,
             before: status.before.clone(),
             after: status.after.clone(),
+            value: status.value.clone(),
         });
     }
     let next = wanted.next().map(|(&(_, statement), _)| u64::from(statement) + 1);
@@ -73,7 +105,7 @@ mod tests {
 
     #[test]
     fn a_long_block_comes_in_parts_and_no_statement_twice() {
-        let status = StatementStatus { before: Registers::fresh(), after: Registers::fresh(), times: 1 };
+        let status = StatementStatus { before: Registers::fresh(), after: Registers::fresh(), times: 1, value: None };
         let numbers = || (0..5_000_u32).filter(|number| number % 2 == 0);
         let (block, other) = (BlockId::fc(1), BlockId::fc(2));
         let statements = numbers().flat_map(|number| [((block, number), status.clone()), ((other, number), status.clone())]).collect();

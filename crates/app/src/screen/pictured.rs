@@ -1,0 +1,61 @@
+//! A plant as an answer to `plants` has it, made into what its picture is drawn of.
+
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use serde_json::Value;
+use sieben_sim::devices::Kind;
+
+use super::plants::PlantLook;
+
+/// Names and units of what plants know that are kept; all kinds together have fewer.
+const NAMES_MAX: usize = 1_000;
+
+/// Names and units that were read.
+static NAMES: Mutex<Vec<&'static str>> = Mutex::new(Vec::new());
+
+/// A name that lives as long as the process; there are as many as kinds of plants have.
+fn kept(name: &str) -> Option<&'static str> {
+    let mut names = NAMES.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(known) = names.iter().find(|known| **known == name) {
+        return Some(known);
+    }
+    (names.len() < NAMES_MAX).then(|| {
+        let name: &'static str = Box::leak(name.to_owned().into_boxed_str());
+        names.push(name);
+        name
+    })
+}
+
+/// As many bytes as there have to be.
+fn bytes(hex: &Value, count: u32) -> Vec<u8> {
+    let hex = hex.as_str().unwrap_or_default().as_bytes();
+    let byte = |pair: &[u8]| std::str::from_utf8(pair).ok().and_then(|pair| u8::from_str_radix(pair, 16).ok()).unwrap_or_default();
+    let mut bytes: Vec<u8> = hex.chunks(2).map(byte).collect();
+    bytes.resize(count as usize, 0);
+    bytes
+}
+
+/// What a picture is drawn of; `None` for a kind that this Sieben does not know.
+pub(super) fn look(plant: &Value) -> Option<PlantLook> {
+    let kind = Kind::by_name(plant["kind"].as_str()?)?;
+    let byte = |key: &str| plant[key].as_u64().and_then(|byte| u32::try_from(byte).ok()).unwrap_or_default();
+    let list = |key: &str| plant[key].as_array().into_iter().flatten();
+    let mut parameters: Vec<f64> = list("parameters").filter_map(Value::as_f64).collect();
+    let usual = kind.parameters.iter().map(|parameter| parameter.usual);
+    parameters.extend(usual.skip(parameters.len()));
+    let symbol = |signal: &Value| Some((signal["address"].as_str()?.to_owned(), signal["symbol"].as_str()?.to_owned()));
+    let state = |row: &Value| Some((kept(row["name"].as_str()?)?, row["value"].as_f64()?, kept(row["unit"].as_str()?)?));
+    Some(PlantLook {
+        kind,
+        name: plant["module"].as_str().unwrap_or_default().to_owned(),
+        input: byte("input"),
+        output: byte("output"),
+        parameters,
+        inputs: bytes(&plant["inputs"], kind.input_bytes),
+        outputs: bytes(&plant["outputs"], kind.output_bytes),
+        state: list("state").filter_map(state).collect(),
+        faults: list("faults").filter_map(|fault| fault.as_str().map(str::to_owned)).collect(),
+        symbols: Arc::new(list("signals").filter_map(symbol).collect::<BTreeMap<_, _>>()),
+    })
+}

@@ -1,0 +1,104 @@
+//! Pictures of simulated plants, each drawn of one moment that is data.
+
+mod terminals;
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use sieben_cpu::{IoModule, Rack};
+use sieben_model::address::Width;
+use sieben_sim::devices::Kind;
+use sieben_sim::wrap::{self, Plant};
+
+use crate::palette::Palette;
+
+/// A simulated plant at one moment, as data.
+#[derive(Clone, Debug)]
+pub(crate) struct PlantLook {
+    /// What it is.
+    pub(crate) kind: &'static Kind,
+    /// What the user calls it.
+    pub(crate) name: String,
+    /// First input byte.
+    pub(crate) input: u32,
+    /// First output byte.
+    pub(crate) output: u32,
+    /// A value for each row of [`Kind::parameters`].
+    pub(crate) parameters: Vec<f64>,
+    /// Input bytes as the CPU reads them.
+    pub(crate) inputs: Vec<u8>,
+    /// Output bytes as the CPU writes them.
+    pub(crate) outputs: Vec<u8>,
+    /// What only the plant knows: name, value, unit.
+    pub(crate) state: Vec<(&'static str, f64, &'static str)>,
+    /// Faults that it has, in the words of `--fault`.
+    pub(crate) faults: Vec<String>,
+    /// Symbols by address as English mnemonics write it with a space, `I 0.0`; empty if addresses have to do.
+    pub(crate) symbols: Arc<BTreeMap<String, String>>,
+}
+
+impl PlantLook {
+    /// A plant of a rack as it is now.
+    pub(crate) fn of(plant: &Plant, rack: &Rack, symbols: &Arc<BTreeMap<String, String>>) -> Self {
+        let settings = plant.device().settings();
+        let (inputs, outputs) = (plant.inputs(), plant.outputs());
+        let read = |byte| rack.peripheral_read(byte, Width::Byte).unwrap_or(0) as u8;
+        let put = |byte| rack.peripheral_output(byte, Width::Byte).unwrap_or(0) as u8;
+        Self {
+            kind: settings.kind,
+            name: settings.name.clone(),
+            input: inputs.start,
+            output: outputs.start,
+            parameters: settings.parameters.clone(),
+            inputs: inputs.map(read).collect(),
+            outputs: outputs.map(put).collect(),
+            state: plant.device().state(),
+            faults: plant.faults().map(ToString::to_string).collect(),
+            symbols: Arc::clone(symbols),
+        }
+    }
+
+    /// All plants of a rack as they are now, in the order of the project.
+    pub(crate) fn all(rack: &Rack, symbols: &Arc<BTreeMap<String, String>>) -> Vec<Self> {
+        wrap::plants(rack).map(|plant| Self::of(plant, rack, symbols)).collect()
+    }
+}
+
+/// Columns and rows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Size {
+    /// Columns.
+    pub(crate) width: u16,
+    /// Rows.
+    pub(crate) height: u16,
+}
+
+/// What the picture of a kind takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Sizes {
+    /// Less shows a part of it.
+    pub(crate) least: Size,
+    /// More leaves cells free.
+    pub(crate) best: Size,
+}
+
+/// When a picture is of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Moment {
+    /// The time of the CPU in milliseconds, for things that turn and blink.
+    pub(crate) time_ms: u64,
+}
+
+/// Columns and rows that the picture of a kind takes at best and at least.
+pub(crate) fn size(kind: &Kind) -> Sizes {
+    let _ = kind;
+    Sizes { least: Size { width: 40, height: 11 }, best: Size { width: 60, height: 22 } }
+}
+
+/// Draws a plant into an area of any size, from its upper left corner on.
+pub(crate) fn draw(buffer: &mut Buffer, area: Rect, plant: &PlantLook, moment: Moment, palette: Palette) {
+    let _ = moment;
+    terminals::draw(buffer, area, plant, palette);
+}
