@@ -41,7 +41,8 @@ pub mod system_status_list;
 pub use clock::{ClockRefused, DateAndTime, TimeSource};
 pub use communication::{Communication, ProtectionLevel, Requester};
 pub use cpu::{
-    ChangeRefused, Cpu, DataLoss, EndState, Loaded, NotReplayed, RecordedScan, Replayer, ScanReport, Snapshot, StopRequest, TestStep,
+    ChangeRefused, Cpu, DataLoss, EndState, Loaded, Modules, NotReplayed, NotedScan, RecordedScan, Replayer, ScanReport, Snapshot,
+    StopRequest, TestStep,
 };
 pub use cycle::CycleTimes;
 pub use data_block_change::{DataBlockChange, DataBlockInUse, undeclared};

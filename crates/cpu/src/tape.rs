@@ -26,7 +26,7 @@ pub(crate) enum Reading {
 }
 
 impl Reading {
-    fn bytes(&self) -> usize {
+    pub(crate) fn bytes(&self) -> usize {
         size_of::<Self>()
             + match self {
                 Self::Image { bytes, failed } => bytes.len() + failed.len() * size_of::<Range<usize>>(),

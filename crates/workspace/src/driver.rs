@@ -134,6 +134,7 @@ impl<'g> Driver<'g> {
         if let Some((restart, by)) = plant.start.take() {
             let mut clock = self.clock(&plant.pace);
             plant.waits_in_stop = false;
+            plant.touch();
             // A start of a CPU that runs already asks for what is there.
             let _ = plant.cpu.start_with(restart, by, &mut clock, None);
             self.surroundings.keep(&mut plant.cpu);
@@ -236,6 +237,7 @@ impl<'g> Driver<'g> {
         let until = pace.due_us.min(pace.end_us);
         if now_us < until {
             if real && plant.cpu.has_background() {
+                plant.touch();
                 gate.in_background(|| plant.cpu.background_with(until, &mut clock));
                 self.surroundings.keep(&mut plant.cpu);
                 return if gate.is_wanted() { Next::Open } else { Next::Again(0) };
@@ -250,6 +252,7 @@ impl<'g> Driver<'g> {
         if interrupts || now_us < until {
             // What it writes to the process image goes out with the outputs of the last scan.
             let woken_us = now_us;
+            plant.touch();
             let mut still = || woken_us;
             plant.cpu.serve_with(if real { &mut clock } else { &mut still }, None);
             self.surroundings.keep(&mut plant.cpu);

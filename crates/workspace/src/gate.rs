@@ -44,12 +44,23 @@ pub struct Plant {
     pub(crate) waits_in_stop: bool,
     /// Whether it does so after every STOP, whatever caused it.
     pub(crate) stays_in_stop: bool,
+    /// Something else than a scan may have changed the CPU since the last scan.
+    touched: bool,
 }
 
 impl Plant {
     /// A CPU that has not started yet.
     pub fn new(cpu: Cpu, pace: Pace) -> Self {
-        Self { cpu, pace, scans: 0, scan_times: ScanTimes::default(), start: None, waits_in_stop: false, stays_in_stop: false }
+        Self {
+            cpu,
+            pace,
+            scans: 0,
+            scan_times: ScanTimes::default(),
+            start: None,
+            waits_in_stop: false,
+            stays_in_stop: false,
+            touched: true,
+        }
     }
 
     /// Sends the CPU to STOP on behalf of a client: the run goes on, and the CPU waits there for a start.
@@ -61,6 +72,16 @@ impl Plant {
     /// Asks for a start; the thread that scans carries it out in its next iteration.
     pub fn ask_for_start(&mut self, restart: Restart, by: Requester) {
         self.start = Some((restart, by));
+    }
+
+    /// Something else than a scan changes the CPU: the next scan is one that the past begins with.
+    pub fn touch(&mut self) {
+        self.touched = true;
+    }
+
+    /// Whether something has, since this was asked last.
+    pub(crate) fn take_touch(&mut self) -> bool {
+        std::mem::take(&mut self.touched)
     }
 
     /// From now on no STOP ends the run: there are others who start the CPU again.
@@ -200,6 +221,21 @@ impl Gate {
     /// # Errors
     /// The run is over.
     pub fn enter<R>(&self, work: impl FnOnce(&mut Plant) -> R) -> Result<R, Closed> {
+        self.pass(|plant| {
+            plant.touch();
+            work(plant)
+        })
+    }
+
+    /// As [`Self::enter`], to look only.
+    ///
+    /// # Errors
+    /// The run is over.
+    pub fn look<R>(&self, work: impl FnOnce(&Plant) -> R) -> Result<R, Closed> {
+        self.pass(|plant| work(plant))
+    }
+
+    fn pass<R>(&self, work: impl FnOnce(&mut Plant) -> R) -> Result<R, Closed> {
         let _waiting = Counted::at(&self.waiting);
         let _first = lock(&self.queue);
         if self.background.load(Ordering::Acquire) {
@@ -253,7 +289,7 @@ impl Gate {
         if items.len() > ITEMS_MAX {
             return Err(ListError::TooLong(items.len()));
         }
-        Ok(self.enter(|plant| (plant.scans, plant.cpu.read_items(items)))?)
+        Ok(self.look(|plant| (plant.scans, plant.cpu.read_items(items)))?)
     }
 
     /// Writes a list of items, all between the same two scans.

@@ -20,6 +20,7 @@ pub mod nearest;
 pub mod observed;
 pub mod online_change;
 pub mod pace;
+pub mod past;
 pub mod places;
 pub mod project;
 pub mod refusal;

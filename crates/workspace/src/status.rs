@@ -9,7 +9,7 @@ use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::time::Duration;
 
-use sieben_cpu::{Cpu, EndState, NotReplayed, OperatingMode, RecordedScan, Replayer};
+use sieben_cpu::{Cpu, EndState, NotReplayed, OperatingMode, Replayer};
 use sieben_engine::machine::Registers;
 use sieben_engine::{Machine, StatementEvent, Tracer};
 use sieben_model::block::BlockId;
@@ -18,6 +18,7 @@ use sieben_sim::names::Name;
 
 use crate::gate::Plant;
 use crate::observed::Observed;
+use crate::past::{Keep, Past, SharedScan};
 
 /// Least distance of two recorded scans, in microseconds: 20 a second at most.
 pub const DISTANCE_US: u64 = 50_000;
@@ -74,7 +75,7 @@ pub trait Onlooker: Send + Sync {
 
 /// A recording with its place in the run.
 struct Recorded {
-    scan: RecordedScan,
+    scan: SharedScan,
     number: u64,
     time_us: u64,
     /// What the computer's clock showed.
@@ -97,6 +98,8 @@ struct Newest {
 /// Where the status of scans is asked for.
 #[derive(Default)]
 pub struct Desk {
+    /// The scans of before, as far as they are kept.
+    pub past: Past,
     /// Where changes are asked for.
     pub observed: Observed,
     /// Blocks that are looked at for a while.
@@ -188,17 +191,31 @@ impl Desk {
         let wanted = looked_at && is_due;
         // The last recording has not been taken for its replay yet: this scan is not needed.
         let free = wanted && self.recorded.try_lock().is_ok_and(|recorded| recorded.is_none());
-        if !free {
-            plant.cpu.scan_with(clock, None);
-            return;
-        }
-        self.last_us.store(real_us.max(1), Ordering::Relaxed);
-        let like = lock(&self.like).clone();
         // A CPU in STOP only lets its plants live on.
         let number = plant.scans + u64::from(plant.cpu.mode() != OperatingMode::Stop);
+        match self.past.next(plant) {
+            _ if free => {}
+            Keep::Whole => {}
+            Keep::Noted(modules) => {
+                let (_, scan) = plant.cpu.scan_noted(clock, modules);
+                self.past.noted(scan, number, plant.cpu.time_us());
+                return;
+            }
+            Keep::Nothing => {
+                plant.cpu.scan_with(clock, None);
+                return;
+            }
+        }
+        let like = lock(&self.like).clone();
         let (_, scan) = plant.cpu.scan_recorded(clock, like.as_deref());
         *lock(&self.like) = Some(Arc::clone(scan.after()));
         let time_us = plant.cpu.time_us();
+        let scan = Arc::new(Mutex::new(scan));
+        self.past.whole(&scan, number, time_us);
+        if !free {
+            return;
+        }
+        self.last_us.store(real_us.max(1), Ordering::Relaxed);
         *lock(&self.recorded) = Some(Recorded { scan, number, time_us, real_us });
         self.recordings.fetch_add(1, Ordering::Relaxed);
         self.came.notify_all();
@@ -256,7 +273,7 @@ impl Desk {
         }
         let onlooker = self.onlooker.get().map(AsRef::as_ref);
         let mut collector = Collector { blocks, written, statements: BTreeMap::new(), onlooker };
-        let same = recorded.scan.replay(replayer, &mut collector)?;
+        let same = lock(&recorded.scan).replay(replayer, &mut collector)?;
         let Collector { blocks, statements, .. } = collector;
         Ok(Sample { scan: recorded.number, time_us: recorded.time_us, same, blocks, statements })
     }

@@ -43,6 +43,44 @@ impl Replayer {
     }
 }
 
+/// What came in while a scan ran: enough to run it again after the one before it.
+#[derive(Debug, Default)]
+pub struct NotedScan {
+    clock: Box<[u64]>,
+    readings: Vec<Reading>,
+}
+
+impl NotedScan {
+    /// Bytes that it takes; an estimate.
+    pub fn bytes(&self) -> usize {
+        size_of::<Self>() + self.clock.len() * size_of::<u64>() + self.readings.iter().map(Reading::bytes).sum::<usize>()
+    }
+
+    /// Runs the scan again on a CPU that stands at the end of the one before, and tells the tracer of its statements.
+    ///
+    /// # Errors
+    /// It cannot be run again.
+    pub fn replay(&self, replayer: &mut Replayer, tracer: &mut dyn Tracer) -> Result<(), NotReplayed> {
+        let Some(cpu) = replayer.cpu.as_mut().filter(|_| self.clock.len() < READINGS_MAX) else { return Err(NotReplayed::TooLong) };
+        // Copies of the modules say it themselves.
+        if !self.readings.is_empty() {
+            cpu.rack.play(self.readings.clone());
+        }
+        cpu.scan_with(&mut played(&self.clock), Some(tracer));
+        Ok(())
+    }
+}
+
+/// A clock that shows again what it showed; at its end it stands still.
+fn played(readings: &[u64]) -> impl FnMut() -> u64 {
+    let mut next = 0;
+    move || {
+        let reading = readings.get(next).or(readings.last()).copied().unwrap_or_default();
+        next += 1;
+        reading
+    }
+}
+
 /// Why a scan cannot be replayed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NotReplayed {
@@ -69,6 +107,17 @@ impl RecordedScan {
     /// What the CPU was after the scan: the next recording shares with it what has not changed.
     pub fn after(&self) -> &Arc<EndState> {
         &self.after
+    }
+
+    /// Bytes that it takes beside those that it shares with the one before; an estimate.
+    pub fn bytes(&self) -> usize {
+        let readings: usize = self.readings.iter().map(Reading::bytes).sum();
+        size_of::<Self>() + self.before.bytes() + self.clock.len() * size_of::<u64>() + readings + self.places.len() * size_of::<Place>()
+    }
+
+    /// Whether a CPU runs the same program and has copies of all modules in here: the scans after this one need no words of modules.
+    pub fn has_modules(&self) -> bool {
+        self.before.has_modules()
     }
 
     fn is_for(&self, cpu: &Cpu) -> bool {
@@ -114,7 +163,32 @@ impl RecordedScan {
     }
 }
 
+/// Whether words of modules are noted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Modules {
+    /// Copies of them say the same again.
+    Copied,
+    /// One of them cannot be copied.
+    Heard,
+}
+
 impl Cpu {
+    /// As [`Self::scan_with`], with what came in for a [`Replayer`] that has run all scans before this one.
+    pub fn scan_noted(&mut self, clock: &mut dyn FnMut() -> u64, modules: Modules) -> (ScanReport, NotedScan) {
+        let recording = (modules == Modules::Heard).then(|| self.rack.begin_record());
+        let mut readings = Vec::with_capacity(4);
+        let mut reading = || {
+            let now = clock();
+            if readings.len() < READINGS_MAX {
+                readings.push(now);
+            }
+            now
+        };
+        let report = self.scan_with(&mut reading, None);
+        let words = recording.map_or_else(Vec::new, |recording| self.rack.end_record(recording));
+        (report, NotedScan { clock: readings.into(), readings: words })
+    }
+
     /// As [`Self::scan_with`], with a recording for a [`Replayer`]. What did not change since the end of the recording `like` is shared with it.
     pub fn scan_recorded(&mut self, clock: &mut dyn FnMut() -> u64, like: Option<&EndState>) -> (ScanReport, RecordedScan) {
         let recording = self.rack.begin_record();
