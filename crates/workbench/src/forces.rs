@@ -50,7 +50,7 @@ impl Forces {
     /// What is forced, with what is at the terminal, and why.
     pub(crate) fn json(&self, hub: &Hub) -> Json {
         let facts = hub.facts.facts();
-        let Ok(forced) = hub.gate.enter(|plant| {
+        let Ok(forced) = hub.gate.look(|plant| {
             let forced: Vec<Forced> = plant.cpu.forced().bytes().flat_map(parts).collect();
             let terminal = |forced: &Forced| {
                 // The process image has what is forced; what the module has is peripheral.

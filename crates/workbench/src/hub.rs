@@ -18,8 +18,9 @@ use sieben_model::value::Value;
 use sieben_sim::names::{Name, Shown};
 use sieben_sim::wrap;
 use sieben_workspace::control::answer::Answer;
-use sieben_workspace::control::{Control, CurrentFacts, Request};
+use sieben_workspace::control::{Control, CurrentFacts, Request, watched};
 use sieben_workspace::names::shown_json;
+use sieben_workspace::observed::{Entry, Event};
 use sieben_workspace::refusal::capitalized;
 use sieben_workspace::status::{Desk, Look, Onlooker, Sample};
 use sieben_workspace::{Closed, Gate, Plant, Speed};
@@ -43,11 +44,11 @@ pub const PAGES_MAX: usize = 100;
 
 /// A page that is connected.
 #[derive(Clone, Debug)]
-pub struct Visitor {
+pub(crate) struct Visitor {
     /// Its address and port.
-    pub peer: String,
+    pub(crate) peer: String,
     /// What it may do.
-    pub role: crate::access::Role,
+    pub(crate) role: crate::access::Role,
 }
 
 /// What names mean in a program.
@@ -68,17 +69,17 @@ struct Seen {
 }
 
 /// What all pages look at.
-pub struct Hub {
+pub(crate) struct Hub {
     /// The way in to the CPU.
-    pub gate: Arc<Gate>,
+    pub(crate) gate: Arc<Gate>,
     /// Where the status of scans is asked for.
-    pub desk: Arc<Desk>,
+    pub(crate) desk: Arc<Desk>,
     /// What is known of the program.
-    pub facts: Arc<CurrentFacts>,
+    pub(crate) facts: Arc<CurrentFacts>,
     /// What pages want.
-    pub wanted: AllWanted,
+    pub(crate) wanted: AllWanted,
     /// Why operands are forced.
-    pub forces: Forces,
+    pub(crate) forces: Forces,
     visitors: Mutex<BTreeMap<u64, Visitor>>,
     next: AtomicU64,
     program: Mutex<Arc<Known>>,
@@ -94,7 +95,7 @@ fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 }
 
 /// The mode in the words of the protocol.
-fn mode_word(mode: OperatingMode) -> &'static str {
+pub(crate) fn mode_word(mode: OperatingMode) -> &'static str {
     match mode {
         OperatingMode::Run => "run",
         OperatingMode::Stop => "stop",
@@ -113,7 +114,7 @@ fn value_json(value: &Value) -> Json {
 
 impl Hub {
     /// Pages of a run.
-    pub fn new(gate: Arc<Gate>, desk: Arc<Desk>, facts: Arc<CurrentFacts>) -> Self {
+    pub(crate) fn new(gate: Arc<Gate>, desk: Arc<Desk>, facts: Arc<CurrentFacts>) -> Self {
         let program = Mutex::new(Arc::new(Known::new(facts.version(), facts.facts())));
         Self {
             gate,
@@ -133,7 +134,7 @@ impl Hub {
     }
 
     /// The program that runs.
-    pub fn program(&self) -> Arc<Known> {
+    pub(crate) fn program(&self) -> Arc<Known> {
         let version = self.facts.version();
         let mut program = lock(&self.program);
         if program.version != version {
@@ -143,12 +144,12 @@ impl Hub {
     }
 
     /// Tells of each new look.
-    pub fn looks(&self) -> watch::Receiver<Option<Arc<Shot>>> {
+    pub(crate) fn looks(&self) -> watch::Receiver<Option<Arc<Shot>>> {
         self.newest.subscribe()
     }
 
     /// A page comes; `None` if there are too many.
-    pub fn enter(&self, visitor: Visitor) -> Option<u64> {
+    pub(crate) fn enter(&self, visitor: Visitor) -> Option<u64> {
         let mut visitors = lock(&self.visitors);
         (visitors.len() < PAGES_MAX).then(|| {
             let page = self.next.fetch_add(1, Ordering::Relaxed);
@@ -159,23 +160,23 @@ impl Hub {
     }
 
     /// A page goes.
-    pub fn leave(&self, page: u64) {
+    pub(crate) fn leave(&self, page: u64) {
         lock(&self.visitors).remove(&page);
         self.wanted.set(page, None);
     }
 
     /// Ends the looks soon.
-    pub fn end(&self) {
+    pub(crate) fn end(&self) {
         self.ends.store(true, Ordering::Release);
     }
 
     /// Whether the run or the server is over.
-    pub fn is_over(&self) -> bool {
+    pub(crate) fn is_over(&self) -> bool {
         self.ends.load(Ordering::Acquire) || self.gate.is_closed()
     }
 
     /// Looks at the CPU until the end: the body of a thread.
-    pub fn watch(&self) {
+    pub(crate) fn watch(&self) {
         let (mut number, mut looks) = (0, 0_u64);
         let mut look: Option<(Arc<Wanted>, Look<'_>)> = None;
         while !self.is_over() {
@@ -215,7 +216,7 @@ impl Hub {
         let replayed = if was_replayed { lock(&self.seen).take() } else { None };
         let program = self.program();
         let items = self.items(wanted, &program);
-        let (mut head, standing, forced) = self.gate.enter(|plant| {
+        let (mut head, standing, forced) = self.gate.look(|plant| {
             let standing = replayed.is_none().then(|| see(&plant.cpu, &items, wanted));
             (self.head(plant), standing, forced(plant))
         })?;
@@ -256,7 +257,7 @@ impl Hub {
             scan: plant.scans,
             time_us: cpu.time_us(),
             mode: mode_word(cpu.mode()),
-            oldest: plant.scans,
+            oldest: self.desk.past.extent().map_or(plant.scans, |(first, _)| first.scan.min(plant.scans)),
             newest: plant.scans,
             newest_us: cpu.time_us(),
             paused: plant.pace.is_paused(),
@@ -292,12 +293,12 @@ impl Hub {
             let known = before.as_ref().and_then(|shot| shot.common.get(&one).cloned());
             let content = match (one, known) {
                 (Common::Plant | Common::Leds, _) => continue,
+                (Common::Changes, _) => self.changes(program),
                 (_, Some(known)) if !looks.is_multiple_of(SELDOM) => known,
                 (Common::Clients, _) => Content::Whole(self.clients()),
                 (Common::Diagnostics, _) => Content::Whole(self.diagnostics(program)),
                 (Common::Cycle, _) => self.cycle(),
                 (Common::Forces, _) => Content::Whole(self.forces.json(self)),
-                (Common::Changes, _) => Content::Log(Vec::new()),
             };
             common.insert(one, content);
         }
@@ -305,7 +306,7 @@ impl Hub {
     }
 
     /// Clients of servers, and pages.
-    pub fn clients(&self) -> Json {
+    pub(crate) fn clients(&self) -> Json {
         let server = |client: &sieben_workspace::control::Client| {
             json!({
                 "id": format!("{} {}", client.protocol, client.peer), "name": client.partner, "protocol": client.protocol, "peer": client.peer,
@@ -344,8 +345,27 @@ impl Hub {
         diagnostics.entries.iter().rev().map(entry).collect()
     }
 
+    /// What changed, oldest first; values are compared for a while after they were asked for.
+    fn changes(&self, program: &Known) -> Content {
+        self.desk.observed.look(program.version, || watched(&program.facts), self.gate.now_us());
+        let (_, entries) = self.desk.observed.newer_than(0);
+        let json = |entry: Entry| {
+            let mut object = json!({ "n": entry.scan, "t_us": entry.time_us });
+            match entry.event {
+                Event::Note(text) => object["note"] = text.into(),
+                Event::Change { name, address, before, after, .. } => {
+                    for (key, text) in [("name", name), ("address", address), ("from", before), ("to", after)] {
+                        object[key] = text.into();
+                    }
+                }
+            }
+            (entry.number, object)
+        };
+        Content::Log(entries.into_iter().map(json).collect())
+    }
+
     fn cycle(&self) -> Content {
-        let Ok((times, scans)) = self.gate.enter(|plant| (plant.cpu.cycle_times(), plant.scan_times.clone())) else {
+        let Ok((times, scans)) = self.gate.look(|plant| (plant.cpu.cycle_times(), plant.scan_times.clone())) else {
             return Content::Whole(Json::Null);
         };
         let mean = scans.times.sum_us.checked_div(scans.times.count).unwrap_or(0);
@@ -372,7 +392,7 @@ impl Hub {
 }
 
 /// What is read at one moment: values by name, and the plants.
-fn see(cpu: &Cpu, items: &[(String, Option<Item>)], wanted: &Wanted) -> (HashMap<String, Json>, Option<Content>) {
+pub(crate) fn see(cpu: &Cpu, items: &[(String, Option<Item>)], wanted: &Wanted) -> (HashMap<String, Json>, Option<Content>) {
     let list: Vec<Item> = items.iter().filter_map(|(_, item)| item.clone()).collect();
     let mut values = cpu.read_items(&list).into_iter();
     let tags = items.iter().map(|(name, item)| {
@@ -390,7 +410,7 @@ fn see(cpu: &Cpu, items: &[(String, Option<Item>)], wanted: &Wanted) -> (HashMap
 }
 
 /// What a name means: `MW 10`, or `MW 10,HEX` with the format of a watch table.
-fn item_of(name: &str, program: &Known) -> Option<Item> {
+pub(crate) fn item_of(name: &str, program: &Known) -> Option<Item> {
     let facts = &program.facts;
     let meant = match name.rsplit_once(',') {
         Some((plain, format)) if !format.contains(']') => {
@@ -455,18 +475,23 @@ fn event_kind(event: u16) -> &'static str {
     }
 }
 
+/// Why a statement did what it did, in the order of [`Language::ALL`].
+pub(crate) fn reasons_of(program: &Known, machine: &Machine, event: &StatementEvent) -> Option<[String; 2]> {
+    let build = program.facts.build.as_ref()?;
+    let reasons = Reasons::new(&build.compiled, &build.project.texts.program, &build.project.symbols);
+    let moment = Moment { event, before: None, after: machine, fault: None };
+    Some(Language::ALL.map(|language| format!("{}.", capitalized(&reasons.sentence(&moment, language)))))
+}
+
 impl Onlooker for Hub {
     fn statement(&self, machine: &Machine, event: &StatementEvent) {
         let place = (event.place.block, event.place.statement);
         if !self.wanted.together().reasons.contains(&place) {
             return;
         }
-        let program = self.program();
-        let Some(build) = &program.facts.build else { return };
-        let reasons = Reasons::new(&build.compiled, &build.project.texts.program, &build.project.symbols);
-        let moment = Moment { event, before: None, after: machine, fault: None };
-        let said = Language::ALL.map(|language| format!("{}.", capitalized(&reasons.sentence(&moment, language))));
-        lock(&self.reasons).insert(place, said);
+        if let Some(said) = reasons_of(&self.program(), machine, event) {
+            lock(&self.reasons).insert(place, said);
+        }
     }
 
     fn ended(&self, cpu: &Cpu, sample: &Arc<Sample>) {

@@ -6,6 +6,7 @@ mod forces;
 mod http;
 mod hub;
 pub mod live;
+mod past;
 mod reference;
 mod server;
 

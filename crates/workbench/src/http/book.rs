@@ -18,6 +18,8 @@ struct Files;
 
 /// Where the book begins.
 const BASE: &str = "/docs/";
+/// The page that lists all others.
+const CONTENTS: &str = "SUMMARY.md";
 
 const STYLE: &str = "body{font:16px/1.55 system-ui,sans-serif;max-width:60rem;margin:0 auto;padding:1.5rem 1rem 4rem;color-scheme:light dark}\
 nav{border-bottom:1px solid;margin-bottom:1.5rem;padding-bottom:.5rem}\
@@ -29,7 +31,7 @@ img{max-width:100%}";
 fn found(path: &str) -> Option<(String, rust_embed::EmbeddedFile)> {
     let plain = path.trim_end_matches('/');
     let names = match plain {
-        "" => Vec::new(),
+        "" => vec![CONTENTS.to_owned()],
         _ => vec![format!("{plain}.md"), format!("{plain}/README.md"), plain.to_owned()],
     };
     names.into_iter().find_map(|name| Files::get(&name).map(|file| (name, file)))
@@ -39,9 +41,6 @@ fn found(path: &str) -> Option<(String, rust_embed::EmbeddedFile)> {
 pub(super) fn page(path: &str) -> Result<Response<Body>, sieben_workspace::Refusal> {
     let inside = path.strip_prefix(BASE).unwrap_or_default();
     let decoded = super::query::decoded(inside).unwrap_or_default();
-    if path == "/docs" || decoded.is_empty() {
-        return Ok(assets::page(&document("The book", &contents())));
-    }
     let Some((name, file)) = found(&decoded) else {
         let body = "<h1>There is no such page</h1>\n<p>It may have another name now: <a href=\"/docs/\">the book begins here</a>.</p>\n";
         let mut response = assets::page(&document("There is no such page", body));
@@ -50,8 +49,8 @@ pub(super) fn page(path: &str) -> Result<Response<Body>, sieben_workspace::Refus
     };
     // A folder is written with its stroke, so that links in its page lead where they should.
     let is_folder = name.ends_with("README.md") && !path.ends_with('/') && !path.ends_with("README.md");
-    if is_folder {
-        let folder = name.trim_end_matches("README.md");
+    if is_folder || path == "/docs" {
+        let folder = name.trim_end_matches("README.md").trim_end_matches(CONTENTS);
         let mut response = response(StatusCode::PERMANENT_REDIRECT, "text/plain; charset=utf-8", "");
         if let Ok(place) = HeaderValue::from_str(&format!("{BASE}{folder}")) {
             response.headers_mut().insert(header::LOCATION, place);
@@ -64,35 +63,6 @@ pub(super) fn page(path: &str) -> Result<Response<Body>, sieben_workspace::Refus
     let text = String::from_utf8_lossy(&file.data);
     let (title, body) = html(&name, &text);
     Ok(assets::page(&document(&title, &body)))
-}
-
-/// The parts of the book, in the order in which they are read; other folders come after them.
-const PARTS: [(&str, &str); 5] =
-    [("start", "Start"), ("how-to", "How to"), ("reference", "Reference"), ("explanation", "Explanation"), ("learn", "Learn")];
-
-/// The first page: all pages of the parts that are read, and where the others begin.
-fn contents() -> String {
-    let mut pages: BTreeMap<String, Vec<(String, String)>> = BTreeMap::new();
-    for name in Files::iter().filter(|name| name.ends_with(".md")) {
-        let Some((folder, _)) = name.split_once('/') else { continue };
-        let file = Files::get(&name).map(|file| file.data).unwrap_or_default();
-        let text = String::from_utf8_lossy(&file);
-        let title = text.lines().find_map(|line| line.strip_prefix("# ")).unwrap_or(&name).replace('`', "");
-        let shown = name.strip_suffix("README.md").or(name.strip_suffix(".md")).unwrap_or(&name);
-        pages.entry(folder.to_owned()).or_default().push((shown.to_owned(), title));
-    }
-    let mut out = String::from("<h1>The book</h1>\n");
-    let other = pages.keys().filter(|folder| PARTS.iter().all(|(known, _)| known != *folder)).cloned().collect::<Vec<_>>();
-    let parts = PARTS.iter().map(|&(folder, title)| (folder, title)).chain(other.iter().map(|folder| (folder.as_str(), folder.as_str())));
-    for (folder, title) in parts {
-        let Some(list) = pages.get(folder) else { continue };
-        out.push_str(&format!("<h2>{}</h2>\n<ul>\n", escaped(title)));
-        for (page, title) in list {
-            out.push_str(&format!("<li><a href=\"{BASE}{}\">{}</a></li>\n", escaped(page), escaped(title)));
-        }
-        out.push_str("</ul>\n");
-    }
-    out
 }
 
 fn document(title: &str, body: &str) -> String {
@@ -207,13 +177,10 @@ mod tests {
         let pages: Vec<_> = Files::iter().filter(|name| name.ends_with(".md")).collect();
         assert!(pages.len() > 100, "the book is embedded");
         assert!(!pages.iter().any(|name| name.starts_with("benchmarks/")));
-        let first = contents();
         for name in &pages {
             let file = Files::get(name).expect("it was listed");
             let (title, body) = html(name, &String::from_utf8_lossy(&file.data));
             assert!(!title.is_empty(), "{name} has a heading");
-            let shown = name.strip_suffix("README.md").or(name.strip_suffix(".md")).expect("a page");
-            assert!(first.contains(&format!("href=\"{BASE}{shown}\"")) || !name.contains('/'), "{name} is found from the first page");
             for link in body.split("href=\"").skip(1).filter_map(|rest| rest.split('"').next()) {
                 let path = link.split('#').next().unwrap_or_default();
                 let inside = path.strip_prefix(BASE);

@@ -15,6 +15,7 @@ use sieben_workspace::project::Build;
 use super::query::Query;
 use crate::access::Role;
 use crate::forces::{REASON_BYTES_MAX, Reason};
+use crate::past::{self, Written};
 use crate::reference::View;
 use crate::server::Shared;
 
@@ -109,6 +110,8 @@ pub(super) const ROUTES: &[Route] = &[
     get("explain/{instruction}", "What an instruction does.", explain),
     Route { query: &[Parameter { name: "names", about: "names, separated by commas" }], ..get("tags", "Values of one scan.", tags) },
     change(Method::Patch, "tags", "Writes values, all between the same two scans.", Some(r#"{"M 50.0":true}"#), write),
+    change(Method::Post, "press", "Bits are 1 for so many milliseconds of the CPU's time, as a push button.", Some(r#"{"items":["I 0.0"],"ms":400}"#), |asked| asked.verb("press")),
+    get("names", "The assignment table as those need it who operate the program: symbols, addresses, terminals of plants.", |asked| asked.fields("names", json!({}))),
     get("forces", "What is forced, to what, by whom and why.", |asked| Ok(Reply::Json(asked.shared.hub.forces.json(&asked.shared.hub)))),
     change(Method::Post, "forces", "Forces a value, with a reason that everyone sees.", Some(r#"{"name":"I 0.1","value":"1","reason":"sensor is exchanged"}"#), force),
     change(Method::Delete, "forces", "Nothing is forced any more.", None, |asked| { asked.control(&Request::UnforceAll)?; Ok(asked.forces()) }),
@@ -118,6 +121,7 @@ pub(super) const ROUTES: &[Route] = &[
     get("plants", "The simulated plants with their terminals.", plants),
     get("faults", "The plants with their signals and faults.", |asked| asked.verb("faults")),
     change(Method::Post, "faults", "A signal of a plant fails, or is mended.", Some(r#"{"inject":"tank.level stuck=0"}"#), faults),
+    Route { query: &[Parameter { name: "from", about: "the first scan" }, Parameter { name: "to", about: "the last scan" }, Parameter { name: "channels", about: "names, separated by commas" }, Parameter { name: "format", about: "`csv`, `vcd` or `svg`" }], ..get("trace", "Values of scans of the past.", trace) },
     get("info", "What the run is: its CPU and its servers.", info),
 ];
 
@@ -308,11 +312,40 @@ fn plants(asked: &Asked<'_>) -> Result<Reply, Refusal> {
 
 /// `{"inject":"tank.level stuck=0"}`, `{"mend":"tank"}`; the page says `{"name":"tank.level","fault":"stuck=0"}`, and ends it with `""`.
 fn faults(asked: &Asked<'_>) -> Result<Reply, Refusal> {
-    match (asked.text("name"), asked.text("fault")) {
+    let full = asked.text("name").map(|name| full_signal(asked, name)).transpose()?;
+    match (full, asked.text("fault")) {
         (Some(name), Some("")) => asked.fields("faults", json!({ "mend": name })),
         (Some(name), Some(fault)) => asked.fields("faults", json!({ "inject": format!("{name} {fault}") })),
         _ => asked.verb("faults"),
     }
+}
+
+/// `tank.level` for `level`, where only one plant has a signal of that name.
+fn full_signal(asked: &Asked<'_>, name: &str) -> Result<String, Refusal> {
+    use sieben_cpu::IoModule;
+    if name.contains('.') {
+        return Ok(name.to_owned());
+    }
+    let plants = asked.shared.hub.gate.look(|plant| {
+        let has = |plant: &&sieben_sim::wrap::Plant| plant.kind().signals.iter().any(|signal| signal.name == name);
+        sieben_sim::wrap::plants(plant.cpu.rack()).filter(has).map(|plant| plant.name().to_owned()).collect::<Vec<_>>()
+    })?;
+    Ok(match plants.as_slice() {
+        [only] => format!("{only}.{name}"),
+        _ => name.to_owned(),
+    })
+}
+
+fn trace(asked: &Asked<'_>) -> Result<Reply, Refusal> {
+    let scan = |name: &str| {
+        let number = asked.query.get(name).and_then(|text| text.parse().ok());
+        number.ok_or_else(|| wrong("`from` and `to` are numbers of scans; write `?from=1&to=100&channels=Q0.0&format=csv`"))
+    };
+    let word = asked.query.get("format").unwrap_or("csv");
+    let known = Written::ALL.iter().find(|(known, ..)| *known == word);
+    let &(_, written, kind) = known.ok_or_else(|| wrong("`format` is `csv`, `vcd` or `svg`"))?;
+    let text = past::trace(&asked.shared.hub, (scan("from")?, scan("to")?), asked.query.get("channels").unwrap_or_default(), written)?;
+    Ok(Reply::Text(kind, text))
 }
 
 fn info(asked: &Asked<'_>) -> Result<Reply, Refusal> {

@@ -1,28 +1,31 @@
 //! The WebSocket of a page: frames in, scans out.
 
 use std::net::SocketAddr;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 use axum::body::Body;
 use axum::extract::ws::{Message, WebSocket, WebSocketUpgrade};
 use axum::http::Response;
 use serde_json::json;
+use sieben_cpu::Replayer;
 use sieben_model::problems::Problem;
 use sieben_workspace::Refusal;
 use tokio::sync::watch;
 use tokio::time::timeout;
 
 use super::api::peer_text;
+use super::blocking;
 use crate::access::Role;
 use crate::hub::{Hub, PAGES_MAX, Visitor};
 use crate::live::client::{Asked, Client, Live, bye, event};
 use crate::live::message::{At, FRAME_BYTES_MAX};
 use crate::live::shot::Shot;
+use crate::past;
 use crate::server::Shared;
 
 /// Longest frame that is read at all: one that is too long is still answered with why.
-const READ_BYTES_MAX: usize = 2 * FRAME_BYTES_MAX;
+const READ_BYTES_MAX: usize = 32 * FRAME_BYTES_MAX;
 /// How long a page may take for a message that does not fit into its socket.
 const SEND_WAIT_MAX: Duration = Duration::from_secs(15);
 /// How long a page may wait with its first message.
@@ -76,9 +79,11 @@ async fn receive(socket: &mut WebSocket) -> Result<Option<Vec<u8>>, Option<Refus
 ///
 /// # Errors
 /// It is sent away.
-async fn serve(socket: &mut WebSocket, shared: &Shared, page: u64, role: Role) -> Result<(), Refusal> {
+async fn serve(socket: &mut WebSocket, shared: &Arc<Shared>, page: u64, role: Role) -> Result<(), Refusal> {
     let hub = &shared.hub;
     let mut client = Client::default();
+    let mut views = Views { at: None, replayer: Arc::default() };
+    let mut past: Option<Arc<Shot>> = None;
     let mut looks = hub.looks();
     looks.mark_unchanged();
     let first = match timeout(HELLO_WAIT_MAX, receive(socket)).await {
@@ -106,8 +111,11 @@ async fn serve(socket: &mut WebSocket, shared: &Shared, page: u64, role: Role) -
                 Ok(Some(frame)) => {
                     let asked = client.hear(&frame, hub.gate.now_us())?;
                     hub.wanted.set(page, Some(client.wanted(&hub.program())));
-                    if let Some(asked) = asked
-                        && let Some(text) = answer(hub, &mut client, asked)
+                    let said = match asked {
+                        Some(asked) => answer(shared, &mut views, &mut client, asked).await,
+                        None => None,
+                    };
+                    if let Some(text) = said
                         && send(socket, text).await.is_err()
                     {
                         return Ok(());
@@ -120,8 +128,21 @@ async fn serve(socket: &mut WebSocket, shared: &Shared, page: u64, role: Role) -
                 if changed.is_err() {
                     return Err(over());
                 }
-                let shot = newest(&mut looks)?;
-                if tell(socket, &mut client, &shot, hub).await?.is_err() {
+                let newest = newest(&mut looks)?;
+                let is_known = client.knows(&views.at);
+                let (shot, live, refusal) = match (&past, is_known) {
+                    // A scan of the past does not change; only how the run goes does.
+                    (Some(past), true) if views.at == Some(past.head.scan) => (Arc::new(past.with_head_of(&newest)), Live::No, None),
+                    _ => shown(shared, &mut views, &client, newest).await,
+                };
+                past = (live == Live::No).then(|| Arc::clone(&shot));
+                if let Some(refusal) = refusal {
+                    client.forget();
+                    if send(socket, event(&refusal)).await.is_err() {
+                        return Ok(());
+                    }
+                }
+                if tell(socket, &mut client, (&shot, live), hub).await?.is_err() {
                     return Ok(());
                 }
             }
@@ -144,13 +165,13 @@ fn newest(looks: &mut watch::Receiver<Option<Arc<Shot>>>) -> Result<Arc<Shot>, R
 }
 
 /// Sends what is new of a scan.
-async fn tell(socket: &mut WebSocket, client: &mut Client, shot: &Shot, hub: &Hub) -> Result<Result<(), Gone>, Refusal> {
+async fn tell(socket: &mut WebSocket, client: &mut Client, (shot, live): (&Shot, Live), hub: &Hub) -> Result<Result<(), Gone>, Refusal> {
     if let Some(text) = client.meets(shot)
         && send(socket, text).await.is_err()
     {
         return Ok(Err(Gone));
     }
-    Ok(match client.update(shot, Live::Yes, hub.gate.now_us())? {
+    Ok(match client.update(shot, live, hub.gate.now_us())? {
         Some(text) => send(socket, text).await,
         None => Ok(()),
     })
@@ -160,36 +181,73 @@ async fn tell(socket: &mut WebSocket, client: &mut Client, shot: &Shot, hub: &Hu
 fn welcome(shared: &Shared, role: Role) -> String {
     let hub = &shared.hub;
     let program = hub.program();
-    let head = hub.gate.enter(|plant| (plant.cpu.cpu_type().name, plant.scans, plant.pace.cycle_us));
+    let head = hub.gate.look(|plant| (plant.cpu.cpu_type().name, plant.scans, plant.pace.cycle_us));
     let (cpu, scans, cycle_us) = head.unwrap_or_default();
+    let oldest = hub.desk.past.extent().map_or(scans, |(first, _)| first.scan.min(scans));
     json!({
         "t": "welcome", "v": 1, "cpu": cpu, "project": program.facts.project.as_deref().unwrap_or("Sieben"), "program": program.hash(),
-        "role": role.word(), "oldest": scans, "newest": scans, "cycle_us": cycle_us, "mnemonics": "en",
+        "role": role.word(), "oldest": oldest, "newest": scans, "cycle_us": cycle_us, "mnemonics": "en",
     })
     .to_string()
 }
 
-/// Answers what is no subscription.
-fn answer(hub: &Hub, client: &mut Client, asked: Asked) -> Option<String> {
-    let newest = hub.looks().borrow().as_ref().map_or(0, |shot| shot.head.newest);
+/// What a page sees of the past; it has a CPU of its own for that.
+struct Views {
+    /// The scan that is shown; `None`: the newest.
+    at: Option<u64>,
+    replayer: Arc<Mutex<Replayer>>,
+}
+
+/// Answers what is no subscription: texts to send, or a scan to show.
+async fn answer(shared: &Arc<Shared>, views: &mut Views, client: &mut Client, asked: Asked) -> Option<String> {
+    let newest = shared.hub.looks().borrow().as_ref().map_or(0, |shot| shot.head.newest);
+    let (hub, replayer, language) = (Arc::clone(&shared.hub), Arc::clone(&views.replayer), client.language());
     match asked {
-        Asked::At(At::Live) => {
-            client.forget();
+        Asked::At(At::Inside) => {
+            let refusal =
+                Refusal::new(Problem::P7131, "statements are not stepped through in a run; `sieben step` does, and here scans are");
+            Some(event(&refusal))
+        }
+        Asked::At(at) => {
+            let from = views.at.unwrap_or(newest);
+            let wanted = match at {
+                At::Live | At::Inside => None,
+                At::Scan(scan) => Some(scan),
+                At::Step(scans) => Some(from.saturating_add_signed(scans)),
+            };
+            let before = std::mem::replace(&mut views.at, wanted.filter(|&scan| scan < newest));
+            if before.is_some() || views.at.is_some() {
+                client.forget();
+            }
             None
         }
-        Asked::At(At::Scan(scan)) if scan >= newest => {
-            client.forget();
-            None
-        }
-        Asked::At(_) => Some(event(&Refusal::new(Problem::P7139, "scans of the past are not kept"))),
         Asked::History(history) => {
-            let mut answer: serde_json::Value = json!({ "t": "history", "id": history.id, "from": newest, "to": newest });
-            answer["channels"] = history.channels.into_iter().map(|channel| (channel, json!([]))).collect::<serde_json::Map<_, _>>().into();
-            Some(answer.to_string())
+            let asked = history.clone();
+            let answered = blocking(move || past::history(&hub, &mut lock(&replayer), &asked)).await;
+            Some(answered.and_then(|answer| answer).map_or_else(|refusal| event(&refusal), |answer| answer.to_string()))
         }
         Asked::Who(who) => {
-            let text = "what wrote it is not kept";
-            Some(json!({ "t": "who", "id": who.id, "name": who.name, "text": text }).to_string())
+            let answered = blocking(move || past::who(&hub, &mut lock(&replayer), &who, language)).await;
+            Some(answered.and_then(|answer| answer).map_or_else(|refusal| event(&refusal), |answer| answer.to_string()))
         }
     }
+}
+
+/// What a page is shown: the newest look, or the scan of the past that it has chosen.
+async fn shown(shared: &Arc<Shared>, views: &mut Views, client: &Client, newest: Arc<Shot>) -> (Arc<Shot>, Live, Option<Refusal>) {
+    let Some(scan) = views.at else { return (newest, Live::Yes, None) };
+    let wanted = client.wanted(&newest.program);
+    let (hub, replayer) = (Arc::clone(&shared.hub), Arc::clone(&views.replayer));
+    let shot = blocking(move || past::shot(&hub, &mut lock(&replayer), scan, &wanted)).await.and_then(|shot| shot);
+    match shot {
+        Ok(shot) => (Arc::new(shot), Live::No, None),
+        Err(refusal) => {
+            views.at = None;
+            (newest, Live::Yes, Some(refusal))
+        }
+    }
+}
+
+fn lock(replayer: &Mutex<Replayer>) -> MutexGuard<'_, Replayer> {
+    replayer.lock().unwrap_or_else(PoisonError::into_inner)
 }

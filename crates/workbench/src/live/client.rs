@@ -142,10 +142,16 @@ impl Client {
                     }
                 }
                 What::Tags(names) => wanted.names.extend(names.iter().cloned()),
+                What::Flow => {}
                 What::Common(common) => drop(wanted.common.insert(*common)),
             }
         }
         wanted
+    }
+
+    /// Whether it knows all of its subscriptions at the scan that it looks at; the newest is another one each time.
+    pub fn knows(&self, at: &Option<u64>) -> bool {
+        at.is_some() && self.subscriptions.values().all(|subscription| subscription.known.is_some())
     }
 
     /// All that it has subscribed to is sent whole with the next message: it looks at another scan.
@@ -252,3 +258,6 @@ pub fn bye(refusal: &Refusal) -> String {
 pub fn event(refusal: &Refusal) -> String {
     json!({ "t": "event", "level": "error", "code": refusal.problem.code(), "text": refusal.message }).to_string()
 }
+
+#[cfg(test)]
+mod tests;

@@ -46,6 +46,8 @@ pub enum What {
     Rows(Rows),
     /// Values by name.
     Tags(Vec<String>),
+    /// What the lines of diagrams carry. It is accepted, and nothing is sent.
+    Flow,
     /// Something that is the same for all pages.
     Common(Common),
 }
@@ -104,6 +106,8 @@ pub enum At {
     Scan(u64),
     /// So many scans on, or back.
     Step(i64),
+    /// Statements or networks on, or back: the server cannot do that yet.
+    Inside,
 }
 
 /// A question for values of the past.
@@ -231,6 +235,7 @@ impl<'m> Fields<'m> {
                 Ok(What::Rows(Rows { block: self.name("block")?, from, to, reason }))
             }
             "tags" => self.names("names", NAMES_MAX).map(What::Tags),
+            "flow" => Ok(What::Flow),
             _ => {
                 let common = Common::ALL.iter().find(|(name, _)| *name == word).map(|&(_, common)| What::Common(common));
                 let known = || Common::ALL.map(|(name, _)| format!("`{name}`")).join(", ");

@@ -38,6 +38,7 @@ pub struct Head {
 }
 
 /// One scan.
+#[derive(Clone)]
 pub struct Shot {
     /// How the run goes.
     pub head: Head,
@@ -64,8 +65,24 @@ impl Shot {
             What::Tags(names) => {
                 Content::Keyed(names.iter().map(|name| (name.clone(), self.tags.get(name).cloned().unwrap_or(Json::Null))).collect())
             }
+            What::Flow => Content::Keyed(BTreeMap::new()),
             What::Common(common) => self.common.get(common).cloned().unwrap_or(Content::Whole(Json::Null)),
         }
+    }
+
+    /// The same scan while the run goes on.
+    #[must_use]
+    pub fn with_head_of(&self, newest: &Self) -> Self {
+        let now = &newest.head;
+        let head = Head {
+            oldest: now.oldest,
+            newest: now.newest,
+            newest_us: now.newest_us,
+            paused: now.paused,
+            speed: now.speed,
+            ..self.head.clone()
+        };
+        Self { head, ..self.clone() }
     }
 
     /// Whether there is anything of it in this scan: what was asked for after the scan comes with the next one.
@@ -77,6 +94,7 @@ impl Shot {
                 (None, _) => true,
             },
             What::Tags(names) => names.iter().all(|name| self.tags.contains_key(name)),
+            What::Flow => true,
             What::Common(common) => self.common.contains_key(common),
         }
     }
