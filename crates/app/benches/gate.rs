@@ -1,7 +1,7 @@
 //! What those who come in from outside cost a scan: `cargo bench -p sieben-app --bench gate [-- SECONDS]`.
 //!
 //! A scan of about 1 ms CPU time in a cycle of 10 ms runs alone, beside one reader at full speed and eight that ask 1,000 times a second, and
-//! while its status is looked at. Eight threads that sleep as often and never come in show what the wake-ups of the computer cost by
+//! while its status is looked at, and while its last scans are kept. Eight threads that sleep as often and never come in show what the wake-ups of the computer cost by
 //! themselves. The kinds alternate, a second each, so that other work on the machine meets them alike. A figure is CPU time of the thread
 //! that scans, with all that the gate makes it do.
 #![allow(clippy::print_stdout)] // A measurement prints its figures.
@@ -46,15 +46,19 @@ struct Kind {
     eight: Eight,
     /// Whether the status of a scan is looked at.
     status: bool,
+    /// Whether the last scans are kept.
+    past: bool,
 }
 
-const KINDS: [Kind; 6] = [
-    Kind { name: "nothing", full_speed: false, eight: Eight::Rest, status: false },
-    Kind { name: "eight threads that only sleep, 1,000/s", full_speed: false, eight: Eight::Sleep, status: false },
-    Kind { name: "one reader at full speed", full_speed: true, eight: Eight::Rest, status: false },
-    Kind { name: "one reader at full speed, eight at 1,000/s", full_speed: true, eight: Eight::Read, status: false },
-    Kind { name: "the status of a scan is looked at", full_speed: false, eight: Eight::Rest, status: true },
-    Kind { name: "one reader, eight, and the status", full_speed: true, eight: Eight::Read, status: true },
+const KINDS: [Kind; 8] = [
+    Kind { name: "nothing", full_speed: false, eight: Eight::Rest, status: false, past: false },
+    Kind { name: "eight threads that only sleep, 1,000/s", full_speed: false, eight: Eight::Sleep, status: false, past: false },
+    Kind { name: "one reader at full speed", full_speed: true, eight: Eight::Rest, status: false, past: false },
+    Kind { name: "one reader at full speed, eight at 1,000/s", full_speed: true, eight: Eight::Read, status: false, past: false },
+    Kind { name: "the status of a scan is looked at", full_speed: false, eight: Eight::Rest, status: true, past: false },
+    Kind { name: "one reader, eight, and the status", full_speed: true, eight: Eight::Read, status: true, past: false },
+    Kind { name: "the last scans are kept", full_speed: false, eight: Eight::Rest, status: false, past: true },
+    Kind { name: "they are kept, with one reader and the status", full_speed: true, eight: Eight::Rest, status: true, past: true },
 ];
 
 fn main() {
@@ -112,6 +116,10 @@ fn main() {
         scope.spawn(|| {
             for second in 0..(seconds as usize).max(KINDS.len()) {
                 kind.store(second % KINDS.len(), Ordering::Relaxed);
+                match now().past {
+                    true => desk.past.switch_on(),
+                    false => desk.past.switch_off(),
+                }
                 std::thread::sleep(SLICE);
             }
             over.store(true, Ordering::Relaxed);

@@ -154,6 +154,12 @@ impl Past {
         self.is_on.store(true, Ordering::Release);
     }
 
+    /// From now on none is, and those that were kept are forgotten.
+    pub fn switch_off(&self) {
+        self.is_on.store(false, Ordering::Release);
+        *lock(&self.ring) = Ring::default();
+    }
+
     /// Whether scans are kept.
     pub fn is_on(&self) -> bool {
         self.is_on.load(Ordering::Acquire)

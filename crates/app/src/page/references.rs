@@ -18,7 +18,7 @@ pub(super) fn symbols(build: &Build) -> Value {
     let used: BTreeMap<&Target, usize> = references.entries().map(|(target, uses)| (target, uses.len())).collect();
     let row = |symbol: &sieben_model::symbols::Symbol| {
         let operand = symbol.operand();
-        let count = operand.clone().map(Target::from).and_then(|target| used.get(&target).copied()).unwrap_or(0);
+        let count = operand.map(Target::from).and_then(|target| used.get(&target).copied()).unwrap_or(0);
         let address = operand.map_or_else(|| symbol.address.trim().to_owned(), |operand| operand.spell(Mnemonics::English));
         json!({
             "symbol": symbol.name, "address": address, "type": symbol.data_type.trim(), "comment": symbol.comment.trim(), "used": count,
