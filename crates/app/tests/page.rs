@@ -14,7 +14,7 @@ use serde_json::{Value, json};
 
 const PROJECT: &str = "[project]\nname = \"pump\"\n\n[[module]]\nkind = \"tank\"\ninput = 256\noutput = 256\n";
 const PROGRAM: &str = "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\nTITLE = Counts scans\nL MW 10;\nL 1;\n+I;\nT MW 10;\nNETWORK\nTITLE = Follows\nA M 50.0;\n= M 60.0;\n\
-                       L MW 20;\nT MW 30;\nEND_ORGANIZATION_BLOCK\n";
+                       NETWORK\nL MW 20;\nT MW 30;\nEND_ORGANIZATION_BLOCK\n";
 
 fn project() -> Folder {
     Folder::with(&[("sieben.toml", PROJECT), ("main.awl", PROGRAM)])
@@ -208,6 +208,27 @@ fn all_values_of_a_message_belong_to_one_scan() {
     }
     assert!(tags["MW 10"].as_str().is_some_and(|text| text.starts_with("16#")), "{tags}");
     assert_eq!(tags["nothing"], Value::Null);
+}
+
+#[test]
+fn a_diagram_shows_what_its_lines_carry() {
+    let folder = project();
+    let serving = Serving::usual(&folder);
+    let drawn = serving.json("GET", "/api/v1/blocks/OB1?view=lad", "");
+    let picture = drawn["networks"][1]["svg"].as_str().expect("a picture");
+    let mut page = serving.page("");
+    page.say(&json!({ "t": "sub", "id": "f", "what": "flow", "block": "OB1", "view": "lad", "networks": [1, 2] }));
+    let first = page.until("the flow", |message| message["s"]["f"].is_object());
+    assert_eq!(first["s"]["f"]["1"], json!([]), "a network that stays STL");
+    let marks = |message: &Value| message["s"]["f"]["2"].as_array().cloned().unwrap_or_default();
+    for mark in marks(&first) {
+        let id = mark[0].as_str().expect("a name");
+        assert!(picture.contains(&format!("data-net=\"{id}\"")) || picture.contains(&format!("data-element=\"{id}\"")), "{id} is drawn");
+    }
+    assert!(marks(&first).contains(&json!(["contact-11", "0", "0"])), "{first}");
+    serving.json("PATCH", "/api/v1/tags", r#"{"M 50.0":true}"#);
+    let then = page.until("another flow", |message| !marks(message).is_empty());
+    assert!(marks(&then).contains(&json!(["contact-11", "1", "1"])), "{then}");
 }
 
 #[test]

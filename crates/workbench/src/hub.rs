@@ -32,6 +32,7 @@ use crate::live::message::Common;
 use crate::live::program::Known;
 use crate::live::shot::{Head, Shot};
 use crate::live::wanted::{AllWanted, Wanted};
+use crate::reference::{Reference, View};
 
 /// Time between two looks, in milliseconds: pages are sent 20 messages a second.
 const LOOK_MS: u64 = 50;
@@ -76,6 +77,8 @@ pub(crate) struct Hub {
     pub(crate) desk: Arc<Desk>,
     /// What is known of the program.
     pub(crate) facts: Arc<CurrentFacts>,
+    /// Answers questions about the program as a whole.
+    pub(crate) reference: Arc<dyn Reference>,
     /// What pages want.
     pub(crate) wanted: AllWanted,
     /// Why operands are forced.
@@ -114,12 +117,13 @@ fn value_json(value: &Value) -> Json {
 
 impl Hub {
     /// Pages of a run.
-    pub(crate) fn new(gate: Arc<Gate>, desk: Arc<Desk>, facts: Arc<CurrentFacts>) -> Self {
+    pub(crate) fn new(gate: Arc<Gate>, desk: Arc<Desk>, facts: Arc<CurrentFacts>, reference: Arc<dyn Reference>) -> Self {
         let program = Mutex::new(Arc::new(Known::new(facts.version(), facts.facts())));
         Self {
             gate,
             desk,
             facts,
+            reference,
             wanted: AllWanted::default(),
             forces: Forces::default(),
             visitors: Mutex::default(),
@@ -240,7 +244,35 @@ impl Hub {
             common.insert(Common::Leds, leds(seen.mode, forced));
         }
         let reasons = lock(&self.reasons).clone();
-        Ok(Shot { head, program, sample: seen.sample, reasons, tags: seen.tags, common })
+        let before = self.newest.borrow().clone();
+        let flows = self.flows(wanted, &program, seen.sample.as_deref(), before.as_deref());
+        Ok(Shot { head, program, sample: seen.sample, reasons, flows, tags: seen.tags, common })
+    }
+
+    /// What the lines of networks carry in a scan; where their block did what it did before they carry the same.
+    pub(crate) fn flows(
+        &self,
+        wanted: &Wanted,
+        program: &Known,
+        sample: Option<&Sample>,
+        before: Option<&Shot>,
+    ) -> HashMap<(BlockId, View, u32), Json> {
+        let (Some(build), Some(sample)) = (&program.facts.build, sample) else { return HashMap::new() };
+        let before = before.filter(|before| before.program.version == program.version);
+        let known = |of: &(BlockId, View, u32)| {
+            let before = before?;
+            let block = (of.0, 0)..=(of.0, u32::MAX);
+            let now = sample.statements.range(block.clone());
+            let same = before.sample.as_ref()?.statements.range(block).eq(now);
+            before.flows.get(of).filter(|_| same).cloned()
+        };
+        let flow = |&of: &(BlockId, View, u32)| {
+            let (block, view, network) = of;
+            let statements = sample.statements.range((block, 0)..=(block, u32::MAX));
+            let mut after = statements.map(|(&(_, number), status)| (number, status.after.clone()));
+            (of, known(&of).unwrap_or_else(|| self.reference.flow(build, (block, network, view), &mut after)))
+        };
+        wanted.flows.iter().filter(|(block, ..)| sample.blocks.contains(block)).map(flow).collect()
     }
 
     /// The newest sample, where it still belongs to the newest scan.

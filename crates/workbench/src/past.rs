@@ -104,8 +104,9 @@ pub(crate) fn shot(hub: &Hub, replayer: &mut Replayer, scan: u64, wanted: &Wante
     }
     let blocks = wanted.blocks.iter().copied().collect();
     let sample = Sample { scan: visited.scan, time_us: visited.time_us, same: true, blocks, statements };
+    let flows = hub.flows(wanted, &program, Some(&sample), None);
     let head = Head { scan: visited.scan, time_us: visited.time_us, mode, same: true, why: None, ..now };
-    Ok(Shot { head, program, sample: Some(Arc::new(sample)), reasons, tags, common })
+    Ok(Shot { head, program, sample: Some(Arc::new(sample)), reasons, flows, tags, common })
 }
 
 /// Hears nothing.

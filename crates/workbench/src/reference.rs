@@ -1,6 +1,9 @@
 //! What is asked of a program as a whole, and of its blocks.
 
+use std::sync::Arc;
+
 use serde_json::Value as Json;
+use sieben_engine::machine::Registers;
 use sieben_lang::reason::Language;
 use sieben_model::block::BlockId;
 use sieben_workspace::Refusal;
@@ -10,7 +13,7 @@ use sieben_workspace::project::Build;
 use crate::live::program::Known;
 
 /// How the networks of a block are shown.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum View {
     /// Statements.
     Stl,
@@ -45,6 +48,9 @@ pub trait Reference: Send + Sync {
     fn assignments(&self, build: &Build) -> Json;
     /// Which block calls which.
     fn structure(&self, build: &Build) -> Json;
+    /// What each line of a network carries, and the values of its elements: `[line or element, flow, value]`. `after` are the registers after each
+    /// statement of the block that was executed, by its number.
+    fn flow(&self, build: &Arc<Build>, of: (BlockId, u32, View), after: &mut dyn Iterator<Item = (u32, Registers)>) -> Json;
     /// What an instruction does, in a sentence or two; `None` if there is no such instruction.
     fn explain(&self, word: &str, language: Language) -> Option<String>;
 }

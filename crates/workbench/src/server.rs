@@ -45,7 +45,7 @@ pub struct Setup {
 pub(crate) struct Shared {
     pub(crate) hub: Arc<Hub>,
     pub(crate) access: Access,
-    pub(crate) reference: Box<dyn Reference>,
+    pub(crate) reference: Arc<dyn Reference>,
     pub(crate) metrics: MetricsText,
     pub(crate) limits: Limits,
 }
@@ -76,7 +76,8 @@ impl Page {
         let address = listener.local_addr()?;
         access.listen = address;
         listener.set_nonblocking(true)?;
-        let hub = Arc::new(Hub::new(gate, desk, facts));
+        let reference: Arc<dyn Reference> = Arc::from(reference);
+        let hub = Arc::new(Hub::new(gate, desk, facts, Arc::clone(&reference)));
         hub.desk.past.switch_on();
         hub.desk.set_onlooker(Arc::clone(&hub) as Arc<dyn sieben_workspace::status::Onlooker>);
         let shared = Arc::new(Shared { hub: Arc::clone(&hub), access, reference, metrics, limits: Limits::default() });

@@ -76,7 +76,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
             false => output::message(&servers.text()),
         }
     }
-    let start_page = |page: PreparedPage| page.start((&demo.gate, &demo.desk, &demo.facts), servers.as_ref(), Box::new(Answers));
+    let start_page = |page: PreparedPage| page.start((&demo.gate, &demo.desk, &demo.facts), servers.as_ref(), Box::new(Answers::default()));
     let page = prepared_page.map(start_page).transpose()?;
     if let Some(page) = &page {
         match has_screen {

@@ -208,7 +208,7 @@ pub(crate) fn run_as(verb: Verb, mut arguments: RunArguments) -> Result<Exit, Fa
         output::message(&why.to_string());
     }
     let mut servers = prepared.map(|prepared| prepared.start(build.cpu, &gate, arguments.engine)).transpose()?;
-    let start_page = |page: PreparedPage| page.start((&gate, &desk, &facts), servers.as_ref(), Box::new(Answers));
+    let start_page = |page: PreparedPage| page.start((&gate, &desk, &facts), servers.as_ref(), Box::new(Answers::default()));
     let page = prepared_page.map(start_page).transpose()?;
     if let Some(servers) = &servers {
         servers.introduce(&facts, &gate);

@@ -57,6 +57,11 @@ impl Watch {
 
     /// What they did; addresses have the values that the CPU has now.
     pub(crate) fn status(&self, network: &Written, cpu: &Cpu, symbols: &SymbolTable) -> Status {
+        self.status_with(network, &|operand| value_now(operand, cpu, symbols))
+    }
+
+    /// What they did; `value_now` has the values of addresses.
+    pub(crate) fn status_with(&self, network: &Written, value_now: &dyn Fn(&str) -> Option<String>) -> Status {
         let statements = network.statements.iter().zip(&self.after).map(|(statement, after)| {
             let Some(after) = after else { return Executed::default() };
             let found = match statement.mnemonic {
@@ -76,11 +81,11 @@ impl Watch {
                     "L" | "T" if is_local => Some((after.accu1 as u32 as i32).to_string()),
                     _ => None,
                 };
-                let value = value_now(&statement.operand, cpu, symbols).or(seen);
+                let value = value_now(&statement.operand).or(seen);
                 values.extend(value.map(|value| (statement.operand.text.clone(), value)));
             }
             for parameter in &statement.parameters {
-                let value = value_now(&parameter.actual, cpu, symbols);
+                let value = value_now(&parameter.actual);
                 values.extend(value.map(|value| (parameter.actual.text.clone(), value)));
             }
             let logic = matches!(statement.mnemonic, "A" | "AN" | "O" | "ON" | "X" | "XN").then_some(after.rlo != 0);

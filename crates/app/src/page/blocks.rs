@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use serde_json::{Value, json};
 use sieben_ide::call_structure::{CallStructure, Callee};
+use sieben_ide::drawing::flow::{Executed, Status};
 use sieben_ide::drawing::svg::{Picture, svg};
 use sieben_ide::target::Target;
 use sieben_lang::body::CheckedBody;
@@ -88,6 +89,15 @@ fn language(build: &Build, block: BlockId) -> &'static str {
     }
 }
 
+/// How networks are shown in a view.
+pub(super) fn form(view: View) -> Form {
+    match view {
+        View::Stl => Form::Stl,
+        View::Lad => Form::Lad,
+        View::Fbd => Form::Fbd,
+    }
+}
+
 /// A network while it is collected.
 #[derive(Default)]
 struct Network {
@@ -116,16 +126,13 @@ pub(super) fn block(build: &Build, block: BlockId, view: View) -> Result<Value, 
         networks.entry(network).or_default().statements.push(statement(build, &places, span, number, stated));
     }
     let code_block = diagrams.blocks().find(|(id, _)| *id == block).map(|(_, block)| block);
-    let form = match view {
-        View::Stl => Form::Stl,
-        View::Lad => Form::Lad,
-        View::Fbd => Form::Fbd,
-    };
     for written in code_block.map_or(&[][..], |block| &block.networks) {
         let network = networks.entry(written.number).or_default();
         network.title = written.title.clone().unwrap_or_default();
         network.comment = written.comment.clone().unwrap_or_default();
-        let shown = diagrams.shown(block, written, form, None);
+        // With a status there is room for values.
+        let nothing = Status { statements: vec![Executed::default(); written.statements.len()] };
+        let shown = diagrams.shown(block, written, form(view), Some(&nothing));
         let picture = shown.layout.as_ref().map(|layout| svg(&Picture { title: &shown.title, layout, flows: None }));
         network.drawn = picture.map(Value::String);
         network.reason = shown.reason;

@@ -2,10 +2,14 @@
 
 pub(crate) mod assignments;
 mod blocks;
+mod flow;
 mod references;
 pub(crate) mod structure;
 
+use std::sync::Arc;
+
 use serde_json::Value;
+use sieben_engine::machine::Registers;
 use sieben_ide::assignment_list::AssignmentList;
 use sieben_ide::call_structure::CallStructure;
 use sieben_ide::cross_reference::CrossReference;
@@ -18,7 +22,10 @@ use sieben_workspace::places::Places;
 use sieben_workspace::project::Build;
 
 /// Answers from what the command line prints too.
-pub(crate) struct Answers;
+#[derive(Default)]
+pub(crate) struct Answers {
+    diagrams: flow::Known,
+}
 
 impl Reference for Answers {
     fn blocks(&self, build: &Build) -> Value {
@@ -43,6 +50,10 @@ impl Reference for Answers {
 
     fn structure(&self, build: &Build) -> Value {
         structure::json(build, &Places::new(build), &CallStructure::new(&build.compiled))
+    }
+
+    fn flow(&self, build: &Arc<Build>, of: (BlockId, u32, View), after: &mut dyn Iterator<Item = (u32, Registers)>) -> Value {
+        self.diagrams.flow(build, of, after)
     }
 
     fn explain(&self, word: &str, _: Language) -> Option<String> {

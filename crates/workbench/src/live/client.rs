@@ -142,7 +142,12 @@ impl Client {
                     }
                 }
                 What::Tags(names) => wanted.names.extend(names.iter().cloned()),
-                What::Flow => {}
+                What::Flow(flow) => {
+                    if let Some(block) = program.facts.block(&flow.block) {
+                        wanted.blocks.insert(block);
+                        wanted.flows.extend(flow.networks.iter().map(|&network| (block, flow.view, network)));
+                    }
+                }
                 What::Common(common) => drop(wanted.common.insert(*common)),
             }
         }

@@ -21,7 +21,15 @@ pub fn fuzz(data: &[u8]) {
         let wanted = client.wanted(&program);
         let tags: HashMap<_, _> = wanted.names.iter().map(|name| (name.clone(), number.into())).collect();
         let head = Head { scan: number, mode: "run", ..Head::default() };
-        let shot = Shot { head, program: Arc::clone(&program), sample: None, reasons: HashMap::new(), tags, common: BTreeMap::new() };
+        let shot = Shot {
+            head,
+            program: Arc::clone(&program),
+            sample: None,
+            reasons: HashMap::new(),
+            flows: HashMap::new(),
+            tags,
+            common: BTreeMap::new(),
+        };
         if let Ok(Some(message)) = client.update(&shot, Live::Yes, now_us) {
             assert!(message.len() <= MESSAGE_BYTES_MAX, "a message has a limit");
             assert!(serde_json::from_str::<serde_json::Value>(&message).is_ok_and(|message| message["n"] == number), "a message is JSON");

@@ -5,12 +5,16 @@ use sieben_lang::reason::Language;
 use sieben_model::problems::Problem;
 use sieben_workspace::Refusal;
 
+use crate::reference::View;
+
 /// Longest message of a page, in bytes.
 pub const FRAME_BYTES_MAX: usize = 64 * 1024;
 /// Rows that one subscription has at most: more than any screen shows.
 pub const ROWS_MAX: u32 = 400;
 /// Names that all subscriptions of a page have together at most.
 pub const NAMES_MAX: usize = 2_000;
+/// Networks of one subscription to what diagrams carry.
+pub const NETWORKS_MAX: usize = 100;
 /// Channels of one question for the past.
 pub const CHANNELS_MAX: usize = 64;
 /// Longest `id` of a subscription, in bytes.
@@ -46,8 +50,8 @@ pub enum What {
     Rows(Rows),
     /// Values by name.
     Tags(Vec<String>),
-    /// What the lines of diagrams carry. It is accepted, and nothing is sent.
-    Flow,
+    /// What the lines of diagrams carry.
+    Flow(Flow),
     /// Something that is the same for all pages.
     Common(Common),
 }
@@ -63,6 +67,17 @@ pub struct Rows {
     pub to: u32,
     /// The statement whose reason is wanted.
     pub reason: Option<u32>,
+}
+
+/// Networks of a block as diagrams.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Flow {
+    /// The block as the page calls it.
+    pub block: String,
+    /// As what they are drawn.
+    pub view: View,
+    /// The networks, from 1.
+    pub networks: Vec<u32>,
 }
 
 /// What is the same for all pages.
@@ -235,13 +250,27 @@ impl<'m> Fields<'m> {
                 Ok(What::Rows(Rows { block: self.name("block")?, from, to, reason }))
             }
             "tags" => self.names("names", NAMES_MAX).map(What::Tags),
-            "flow" => Ok(What::Flow),
+            "flow" => self.flow().map(What::Flow),
             _ => {
                 let common = Common::ALL.iter().find(|(name, _)| *name == word).map(|&(_, common)| What::Common(common));
                 let known = || Common::ALL.map(|(name, _)| format!("`{name}`")).join(", ");
                 common.ok_or_else(|| not_understood(format!("`what` is one of `rows`, `tags`, {}", known())))
             }
         }
+    }
+
+    fn flow(&self) -> Result<Flow, Refusal> {
+        let word = self.text("view").unwrap_or_default();
+        let view = View::ALL.iter().find(|(known, _)| *known == word).map(|&(_, view)| view);
+        let numbers = self.0.get("networks").and_then(Json::as_array);
+        let (Some(view), Some(numbers)) = (view, numbers) else {
+            return Err(not_understood("`flow` has `view`, which is `lad` or `fbd`, and `networks`, a list of numbers"));
+        };
+        if numbers.len() > NETWORKS_MAX {
+            return Err(too_much(format!("`flow` has at most {NETWORKS_MAX} networks")));
+        }
+        let networks = numbers.iter().filter_map(|number| u32::try_from(number.as_u64()?).ok()).collect();
+        Ok(Flow { block: self.name("block")?, view, networks })
     }
 
     fn at(&self) -> Result<At, Refusal> {
@@ -277,6 +306,10 @@ mod tests {
                 Said::Subscribe("a".into(), What::Rows(rows)),
             ),
             (r#"{"t":"sub","id":"b","what":"tags","names":["MW 10"]}"#, Said::Subscribe("b".into(), What::Tags(vec!["MW 10".into()]))),
+            (
+                r#"{"t":"sub","id":"f","what":"flow","block":"FB20","view":"lad","networks":[1,2]}"#,
+                Said::Subscribe("f".into(), What::Flow(Flow { block: "FB20".into(), view: View::Lad, networks: vec![1, 2] })),
+            ),
             (r#"{"t":"sub","id":"c","what":"leds"}"#, Said::Subscribe("c".into(), What::Common(Common::Leds))),
             (r#"{"t":"unsub","id":"c"}"#, Said::Unsubscribe("c".into())),
             (r#"{"t":"at","scan":421}"#, Said::At(At::Scan(421))),

@@ -11,6 +11,7 @@ use sieben_workspace::status::Sample;
 use super::content::Content;
 use super::message::{Common, Rows, What};
 use super::program::Known;
+use crate::reference::View;
 
 /// How the run goes at the moment when a scan is shown.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -50,6 +51,8 @@ pub struct Shot {
     pub reasons: HashMap<(BlockId, u32), [String; 2]>,
     /// Values by name.
     pub tags: HashMap<String, Json>,
+    /// What the lines of networks carry.
+    pub flows: HashMap<(BlockId, View, u32), Json>,
     /// What is the same for all pages.
     pub common: BTreeMap<Common, Content>,
 }
@@ -65,7 +68,14 @@ impl Shot {
             What::Tags(names) => {
                 Content::Keyed(names.iter().map(|name| (name.clone(), self.tags.get(name).cloned().unwrap_or(Json::Null))).collect())
             }
-            What::Flow => Content::Keyed(BTreeMap::new()),
+            What::Flow(flow) => {
+                let block = self.program.facts.block(&flow.block);
+                let of = |&network: &u32| {
+                    let marks = block.and_then(|block| self.flows.get(&(block, flow.view, network)).cloned());
+                    (network.to_string(), marks.unwrap_or(Json::Null))
+                };
+                Content::Keyed(flow.networks.iter().map(of).collect())
+            }
             What::Common(common) => self.common.get(common).cloned().unwrap_or(Content::Whole(Json::Null)),
         }
     }
@@ -94,7 +104,10 @@ impl Shot {
                 (None, _) => true,
             },
             What::Tags(names) => names.iter().all(|name| self.tags.contains_key(name)),
-            What::Flow => true,
+            What::Flow(flow) => match self.program.facts.block(&flow.block) {
+                Some(block) => flow.networks.iter().all(|&network| self.flows.contains_key(&(block, flow.view, network))),
+                None => true,
+            },
             What::Common(common) => self.common.contains_key(common),
         }
     }

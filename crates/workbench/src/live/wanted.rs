@@ -6,6 +6,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use sieben_model::block::BlockId;
 
 use super::message::Common;
+use crate::reference::View;
 
 /// What is wanted of a scan.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -14,6 +15,8 @@ pub struct Wanted {
     pub blocks: BTreeSet<BlockId>,
     /// Statements whose reasons are shown.
     pub reasons: BTreeSet<(BlockId, u32)>,
+    /// Networks whose power flow is shown.
+    pub flows: BTreeSet<(BlockId, View, u32)>,
     /// Names of values.
     pub names: BTreeSet<String>,
     /// What is the same for all pages.
@@ -25,6 +28,7 @@ impl Wanted {
         self.blocks.extend(&other.blocks);
         self.reasons.extend(&other.reasons);
         self.names.extend(other.names.iter().cloned());
+        self.flows.extend(&other.flows);
         self.common.extend(&other.common);
     }
 

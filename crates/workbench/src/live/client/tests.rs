@@ -13,6 +13,7 @@ fn shot(scan: u64) -> Shot {
         program: Arc::new(Known::new(0, Arc::default())),
         sample: None,
         reasons: HashMap::new(),
+        flows: HashMap::new(),
         tags: HashMap::from([("a".to_owned(), json!(scan)), ("b".to_owned(), json!(scan / 100))]),
         common: BTreeMap::new(),
     }
