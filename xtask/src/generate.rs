@@ -12,7 +12,7 @@ use sieben_lang::stl::instructions::Instruction;
 use sieben_model::diagnostic::Severity;
 use sieben_model::interface::{Section, Variable};
 use sieben_model::problems::Problem;
-use sieben_sim::devices::{Direction, Kind};
+use sieben_sim::devices::{Direction, Kind, Operated};
 
 use crate::compatibility;
 use crate::functions;
@@ -93,7 +93,7 @@ fn plants() -> String {
         "# Simulated plants\n\n\
          A project without hardware gets its plant from `[[module]]` in `sieben.toml`; [how to](../how-to/plants.md). One row each in `crates/sim/src/devices/`.\n\n\
          Addresses are those of a module at byte 0; `input` and `output` move them. Every module also takes `name`, `input`, `output`, `seed` (equal seeds give equal plants) and `fault`. \
-         A process goes on in steps of 1 ms of the CPU's time, whatever the cycle. Bits marked *hand* belong to people: tests, scenarios and `--set` operate them. \
+         A process goes on in steps of 1 ms of the CPU's time, whatever the cycle. Signals marked *button* and *switch* belong to people: tests, scenarios and `--set` operate them; a button comes back when it is let go, a switch stays. \
          Setting a bit or word of a sensor holds it at that value from then on.\n\n\
          | kind | what it is |\n|---|---|\n",
     );
@@ -109,7 +109,8 @@ fn plants() -> String {
         for signal in kind.signals {
             let way = match signal.direction {
                 Direction::Sensor => "sensor",
-                Direction::Hand { .. } => "hand",
+                Direction::Hand { operated: Operated::Button, .. } => "button",
+                Direction::Hand { operated: Operated::Switch, .. } => "switch",
                 Direction::Actuator => "actuator",
             };
             let _ = writeln!(text, "| `{}` | {} | {way} | {} | {} |", signal.name, signal.address(0), signal.unit, cell(signal.about));

@@ -18,7 +18,7 @@ use sieben_workspace::settings::{self, modules::Module};
 use crate::document::Document;
 use crate::failure::Failure;
 use crate::project;
-use crate::{files, output};
+use crate::{files, language, output};
 
 /// What every verb that compiles a program takes.
 #[derive(Args, Clone, Debug)]
@@ -233,6 +233,7 @@ impl ReportArguments {
 
     /// Prints a document in the form that was asked for.
     pub(crate) fn put(&self, document: &Document, json: impl FnOnce() -> serde_json::Value) -> Result<(), Failure> {
+        let document = document.clone().in_language(language::spoken());
         match (&self.output, self.json, self.html) {
             (Some(path), true, _) => files::write_whole(path, format!("{:#}\n", json()).as_bytes()),
             (Some(path), _, true) => files::write_whole(path, document.html().as_bytes()),

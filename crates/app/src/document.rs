@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use sieben_model::language::{Language, Text, pick};
 use sieben_model::visible;
 
 /// A title and the tables under it.
@@ -11,6 +12,8 @@ pub(crate) struct Document {
     pub(crate) title: String,
     /// Its parts.
     pub(crate) sections: Vec<Section>,
+    /// The language of its headings.
+    pub(crate) language: Language,
 }
 
 /// A table with remarks under it.
@@ -91,6 +94,20 @@ impl Section {
 }
 
 impl Document {
+    /// The document with its headings in a language; cells are what they are.
+    pub(crate) fn in_language(mut self, language: Language) -> Self {
+        let said = |text: &str| WORDS.iter().find(|words| words[0] == text).map(|&words| pick(language, words));
+        let owned = |text: String| said(&text).map_or(text, str::to_owned);
+        self.title = owned(self.title);
+        for section in &mut self.sections {
+            section.title = owned(std::mem::take(&mut section.title));
+            section.headings.iter_mut().for_each(|heading| *heading = said(heading).unwrap_or(heading));
+            section.notes = std::mem::take(&mut section.notes).into_iter().map(owned).collect();
+        }
+        self.language = language;
+        self
+    }
+
     /// The document as text.
     pub(crate) fn text(&self) -> String {
         self.sections.iter().map(Section::text).collect::<Vec<_>>().join("\n")
@@ -101,12 +118,61 @@ impl Document {
         let title = escaped(&self.title);
         let sections: String = self.sections.iter().map(Section::html).collect();
         format!(
-            "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+            "<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n\
             <meta name=\"viewport\" content=\"width=device-width\">\n<title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n\
-            <body>\n<h1>{title}</h1>\n{sections}</body>\n</html>\n"
+            <body>\n<h1>{title}</h1>\n{sections}</body>\n</html>\n",
+            self.language.code()
         )
     }
 }
+
+/// Titles, headings and remarks of all documents.
+const WORDS: &[Text] = &[
+    ["Address", "Adresse"],
+    ["Addresses without a symbol", "Adressen ohne Symbol"],
+    ["Area known only at run time", "Bereich erst zur Laufzeit bekannt"],
+    ["Assignment list", "Belegungsplan"],
+    ["Bit memory", "Merker"],
+    ["Block", "Baustein"],
+    ["Call", "Aufruf"],
+    ["Call structure", "Programmstruktur"],
+    ["Comment", "Kommentar"],
+    ["Counters", "Zähler"],
+    ["Cross reference", "Querverweisliste"],
+    ["Data", "Daten"],
+    ["First in", "Zuerst in"],
+    ["From", "Ab"],
+    ["In use with other widths", "In anderer Breite verwendet"],
+    ["Inputs", "Eingänge"],
+    ["Instance", "Instanz"],
+    ["Line", "Zeile"],
+    ["Local", "Lokal"],
+    ["Local data", "Lokaldaten"],
+    ["Network", "Netzwerk"],
+    ["No.", "Nr."],
+    ["No address is used in this program.", "In diesem Programm wird keine Adresse verwendet."],
+    ["None.", "Keine."],
+    ["Not called by any organization block", "Von keinem Organisationsbaustein aufgerufen"],
+    ["Nothing is used in this program.", "In diesem Programm wird nichts verwendet."],
+    ["Outputs", "Ausgänge"],
+    ["Overlaps", "Überlappung"],
+    ["Path", "Pfad"],
+    ["Peripheral inputs", "Peripherieeingänge"],
+    ["Peripheral outputs", "Peripherieausgänge"],
+    ["Remark", "Bemerkung"],
+    ["Statement", "Anweisung"],
+    ["Symbol", "Symbol"],
+    ["Symbols that no statement uses", "Symbole, die keine Anweisung verwendet"],
+    [
+        "The program calls blocks that are known only at run time; these may be among them.",
+        "Das Programm ruft Bausteine auf, die erst zur Laufzeit bekannt sind; diese können darunter sein.",
+    ],
+    ["There is no code block in this program.", "In diesem Programm gibt es keinen Codebaustein."],
+    ["Timers", "Zeiten"],
+    ["Type", "Art"],
+    ["Unused symbols and addresses without a symbol", "Unbenutzte Symbole und Adressen ohne Symbol"],
+    ["Uses", "Verwendungen"],
+];
 
 /// Black on white, headings repeated on every printed page.
 const STYLE: &str = "\
@@ -148,7 +214,7 @@ mod tests {
             rows: vec![vec!["</td><script>alert('1')</script>&\"\u{1}".to_owned()]],
             notes: vec!["a < b".to_owned()],
         };
-        let page = Document { title: "</title>".to_owned(), sections: vec![section] }.html();
+        let page = Document { title: "</title>".to_owned(), sections: vec![section], ..Document::default() }.html();
         assert!(!page.contains("<script>") && !page.contains('\u{1}') && page.matches("</title>").count() == 1, "{page}");
         assert!(page.contains("<td>&lt;/td&gt;&lt;script&gt;alert(&#39;1&#39;)&lt;/script&gt;&amp;&quot;␁</td>"), "{page}");
     }
@@ -157,7 +223,10 @@ mod tests {
     fn columns_are_aligned_by_characters() {
         let row = |cells: [&str; 2]| cells.map(str::to_owned).to_vec();
         let section = Section { headings: vec!["A", "B"], rows: vec![row(["Zähler", "1"]), row(["x", "2"])], ..Section::default() };
-        assert_eq!(Document { title: String::new(), sections: vec![section] }.text(), "A       B\n──────  ─\nZähler  1\nx       2\n");
+        assert_eq!(
+            Document { title: String::new(), sections: vec![section], ..Document::default() }.text(),
+            "A       B\n──────  ─\nZähler  1\nx       2\n"
+        );
     }
 
     #[test]
@@ -165,7 +234,7 @@ mod tests {
         let row = |cells: [&str; 2]| cells.map(str::to_owned).to_vec();
         let long = "x".repeat(100_000);
         let section = Section { headings: vec!["A", "B"], rows: vec![row([&long, "1"]), row(["x", &long])], ..Section::default() };
-        let text = Document { title: String::new(), sections: vec![section] }.text();
+        let text = Document { title: String::new(), sections: vec![section], ..Document::default() }.text();
         assert!(text.contains(&format!("{long}  1\n")) && text.contains(&format!("  {long}\n")));
         assert!(text.len() < 210_000, "{}", text.len());
     }

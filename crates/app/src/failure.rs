@@ -1,10 +1,11 @@
 //! Why a command ends without its result: the exit codes and the message behind them.
 
 use serde_json::Value;
+use sieben_model::language::{Language, Text, pick};
 use sieben_model::problems::Problem;
 use sieben_model::visible::visible;
-use sieben_workspace::finding::{self, Finding, Texts};
-use sieben_workspace::refusal::{Refusal, capitalized};
+use sieben_workspace::finding::{self, Finding, Texts, german_help, said_in};
+use sieben_workspace::refusal::Refusal;
 
 /// How a command ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,15 +55,24 @@ impl Failure {
         finding::to_json(&[Finding::refused("", self.refusal.clone())], &Texts::default())
     }
     /// The message as it is printed when it belongs to no place in a source.
-    pub(crate) fn render(&self, colour: bool) -> String {
-        render(&self.refusal, colour, "Error", "Help", self.refusal.problem.help())
+    pub(crate) fn render(&self, colour: bool, language: Language) -> String {
+        let message = said_in(language, self.refusal.problem, &self.refusal.message);
+        render(&self.refusal, &message, colour, language)
     }
 }
 
-/// A refusal as it is printed, with these words for what it is and what to do, and this help where it has none of its own.
-pub(crate) fn render(refusal: &Refusal, colour: bool, error: &str, help_word: &str, help: &str) -> String {
-    let help = capitalized(refusal.help.as_deref().unwrap_or(help));
-    let (message, help) = (visible(&refusal.message), visible(&help));
+const ERROR: Text = ["Error", "Fehler"];
+/// What stands before a help.
+pub(crate) const HELP: Text = ["Help", "Hilfe"];
+
+/// A refusal as it is printed, with this message, and the help of its problem where it has none of its own.
+pub(crate) fn render(refusal: &Refusal, message: &str, colour: bool, language: Language) -> String {
+    let help = match language {
+        Language::English => refusal.shown_help(),
+        Language::German => german_help(refusal.problem, refusal.help.as_deref()),
+    };
+    let help: String = help.lines().map(visible).collect::<Vec<_>>().join("\n  ");
     let (red, green, plain) = if colour { ("\x1b[31m", "\x1b[38;5;115m", "\x1b[0m") } else { ("", "", "") };
-    format!("{red}[{}] {error}:{plain} {message}\n  {green}{help_word}{plain}: {help}\n", refusal.problem.code())
+    let (error, help_word) = (pick(language, ERROR), pick(language, HELP));
+    format!("{red}[{}] {error}:{plain} {}\n  {green}{help_word}{plain}: {help}\n", refusal.problem.code(), visible(message))
 }

@@ -14,7 +14,9 @@ mod files;
 mod fixing;
 mod folder;
 mod glob;
+mod help;
 mod instances;
+mod language;
 mod linking;
 mod output;
 mod page;
@@ -43,6 +45,7 @@ use std::process::ExitCode;
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
+use sieben_model::language::{Language, Text, fill};
 use sieben_model::problems::Problem;
 use sieben_model::visible;
 
@@ -74,6 +77,9 @@ Examples:\n  \
 Exit codes: 0 ok, 1 a check failed, 2 usage, 3 does not compile, 4 the CPU went to STOP, 70 our own error."
 )]
 struct CommandLine {
+    /// Language of help, messages and reasons, en or de [default: that of the environment, else en]
+    #[arg(long, global = true, value_name = "LANGUAGE", value_parser = language::argument)]
+    lang: Option<Language>,
     #[command(subcommand)]
     verb: Option<Verb>,
 }
@@ -137,10 +143,17 @@ fn main() -> ExitCode {
     ExitCode::from(exit as u8)
 }
 
-fn run(line: CommandLine) -> Exit {
+fn run(mut line: CommandLine) -> Exit {
+    let among_words = match &mut line.verb {
+        Some(Verb::Explain(arguments)) => arguments.take_language(),
+        _ => None,
+    };
+    language::choose(line.lang.or(among_words));
     let result = match line.verb {
         None if terminal::shows_results() => commands::demo::run(&commands::demo::Arguments::default()),
-        None => output::print(&CommandLine::command().render_help().to_string()).map(|()| Exit::Success),
+        None => {
+            output::print(&help::in_language(CommandLine::command(), language::spoken()).render_help().to_string()).map(|()| Exit::Success)
+        }
         Some(Verb::Demo(arguments)) => commands::demo::run(&arguments),
         Some(Verb::Run(arguments)) => commands::run::run(arguments),
         Some(Verb::Serve(arguments)) => commands::serve::run(arguments),
@@ -167,7 +180,7 @@ fn run(line: CommandLine) -> Exit {
     result.unwrap_or_else(|failure: Failure| {
         match wants_json() {
             true => output::message(&format!("{:#}\n", failure.to_json())),
-            false => output::styled(&failure.render(output::colour())),
+            false => output::styled(&failure.render(output::colour(), language::spoken())),
         }
         failure.exit
     })
@@ -189,7 +202,7 @@ fn wrong_command_line(error: &clap::Error) {
         text.lines().take_while(|line| !line.starts_with("Usage:")).map(str::trim).filter(|line| !line.is_empty()).collect();
     let message = paragraph.join(" ").trim_start_matches("error: ").to_owned();
     let mut failure = Failure::usage(Problem::P7001, message);
-    failure.refusal.help = hint(error).map(|hint| hint.trim().to_owned());
+    failure.refusal.help = hint(error, Language::English).map(|hint| hint.trim().to_owned());
     let list = failure.to_json();
     if std::env::args_os().nth(1).is_some_and(|verb| verb == "check") {
         // Nobody can be told if printing fails.
@@ -201,21 +214,22 @@ fn wrong_command_line(error: &clap::Error) {
 
 /// The command line, or the exit code after its help or its mistake was printed.
 fn command_line() -> Result<CommandLine, Exit> {
-    let matches = CommandLine::command().try_get_matches();
+    let language = language::before_parsing(std::env::args_os().skip(1));
+    let matches = help::in_language(CommandLine::command(), language).try_get_matches();
     matches.and_then(|matches| CommandLine::from_arg_matches(&matches)).map_err(|error| {
         if error.use_stderr() && wants_json() {
             wrong_command_line(&error);
             return Exit::Usage;
         }
-        let printed = print_about_the_line(&error);
-        if let Some(hint) = hint(&error) {
+        let printed = print_about_the_line(&error, language);
+        if let Some(hint) = hint(&error, language) {
             output::message(&hint);
         }
         match error.kind() {
             ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => match printed {
                 Ok(()) => Exit::Success,
                 Err(failure) => {
-                    output::styled(&failure.render(output::colour()));
+                    output::styled(&failure.render(output::colour(), language::spoken()));
                     failure.exit
                 }
             },
@@ -225,20 +239,30 @@ fn command_line() -> Result<CommandLine, Exit> {
 }
 
 /// Prints help, version, or what is wrong with the command line, which may hold the name of a file that a pattern of the shell found.
-fn print_about_the_line(error: &clap::Error) -> Result<(), Failure> {
+fn print_about_the_line(error: &clap::Error, language: Language) -> Result<(), Failure> {
     let plain = error.render().to_string();
     if visible::hidden(&plain).next().is_some() {
-        output::message(&plain);
+        output::message(&help::error_in(language, &plain));
+        return Ok(());
+    }
+    if language != Language::English && error.use_stderr() {
+        let text = if output::colour() { error.render().ansi().to_string() } else { plain };
+        output::styled(&help::error_in(language, &text));
         return Ok(());
     }
     output::printed(error.print().and_then(|()| std::io::stdout().flush()))
 }
 
+const FILE_AS_VERB: Text = [
+    "\n`{0}` is a file or folder. Did you mean `sieben run {0}`?\n",
+    "\n`{0}` ist eine Datei oder ein Ordner. War `sieben run {0}` gemeint?\n",
+];
+
 /// A file where a verb belongs: people try `sieben main.awl` first.
-fn hint(error: &clap::Error) -> Option<String> {
+fn hint(error: &clap::Error, language: Language) -> Option<String> {
     if error.kind() != ErrorKind::InvalidSubcommand {
         return None;
     }
     let Some(ContextValue::String(word)) = error.get(ContextKind::InvalidSubcommand) else { return None };
-    Path::new(word).exists().then(|| format!("\n`{word}` is a file or folder. Did you mean `sieben run {word}`?\n"))
+    Path::new(word).exists().then(|| fill(language, FILE_AS_VERB, &[word]))
 }

@@ -6,11 +6,12 @@ use std::fmt;
 
 use ariadne::{Cache, CharSet, Color, Config, IndexType, Label, LabelAttach, Report, ReportKind, Source};
 use sieben_model::diagnostic::Severity;
+use sieben_model::language::{Language, Text, fill, pick};
 use sieben_model::source::{FileId, SourceFile, Span};
 use sieben_model::visible::{self, visible};
-use sieben_workspace::finding::{Finding, Origin, Texts, clamp, help_of, tally, to_json};
+use sieben_workspace::finding::{Finding, Origin, Texts, clamp, help_in, said_in, tally, to_json};
 
-use crate::output;
+use crate::{failure, language, output};
 
 /// Most diagnostics shown on a terminal: behind the first hundred the rest is mostly their consequence.
 const SHOWN_MAX: usize = 100;
@@ -21,33 +22,41 @@ const LINE_MAX: usize = 2_000;
 pub(crate) fn print(findings: &[Finding], texts: &Texts, json: bool) {
     match json {
         true => output::message_json(&to_json(findings, texts)),
-        false => output::styled(&render(findings, texts, output::colour())),
+        false => output::styled(&render(findings, texts, output::colour(), language::spoken())),
     }
 }
 
 /// Findings as people read them, with a count at the end; empty if there are none.
-pub(crate) fn render(findings: &[Finding], texts: &Texts, colour: bool) -> String {
-    let mut text = pieces(findings, texts, colour).concat();
+pub(crate) fn render(findings: &[Finding], texts: &Texts, colour: bool, language: Language) -> String {
+    let mut text = pieces(findings, texts, colour, language).concat();
     if findings.len() > SHOWN_MAX {
-        text.push_str(&format!("… and {} more; `--json` lists all of them.\n", findings.len() - SHOWN_MAX));
+        text.push_str(&fill(language, AND_MORE, &[&(findings.len() - SHOWN_MAX)]));
     }
-    text.push_str(&count(findings));
+    text.push_str(&count(findings, language));
     text
 }
 
+const AND_MORE: Text = ["… and {0} more; `--json` lists all of them.\n", "… und {0} weitere; `--json` zeigt alle.\n"];
+const SAYS_MORE: Text = ["{0}. `sieben explain {1}` says more.\n", "{0}. `sieben explain {1}` sagt mehr dazu.\n"];
+const HERE: Text = ["here", "hier"];
+const ERROR: Text = ["Error", "Fehler"];
+const WARNING: Text = ["Warning", "Warnung"];
+/// Stands before the help while ariadne draws it, whose word for it is always the same: no source has this character where that word is.
+const HELP_BEGINS: char = '\u{E007}';
+
 /// Findings as people read them, each for itself, and their count.
-pub(crate) fn parts(findings: &[Finding], texts: &Texts) -> Vec<String> {
-    let mut parts = pieces(findings, texts, false);
-    parts.push(count(findings));
+pub(crate) fn parts(findings: &[Finding], texts: &Texts, language: Language) -> Vec<String> {
+    let mut parts = pieces(findings, texts, false, language);
+    parts.push(count(findings, language));
     parts
 }
 
 /// The first findings as people read them, each for itself.
-pub(crate) fn pieces(findings: &[Finding], texts: &Texts, colour: bool) -> Vec<String> {
+pub(crate) fn pieces(findings: &[Finding], texts: &Texts, colour: bool, language: Language) -> Vec<String> {
     let mut cache = TextCache { texts, sources: BTreeMap::new() };
     let mut piece = |finding: &Finding| {
         let mut out = Vec::new();
-        render_one(finding, &mut cache, colour, &mut out);
+        render_one(finding, &mut cache, colour, language, &mut out);
         // Ariadne pads its lines; spaces at the end of a line only disturb whoever copies it.
         String::from_utf8_lossy(&out).lines().flat_map(|line| [line.trim_end(), "\n"]).collect()
     };
@@ -55,24 +64,24 @@ pub(crate) fn pieces(findings: &[Finding], texts: &Texts, colour: bool) -> Vec<S
 }
 
 /// `2 errors, 1 warning. …`, with how to learn more; empty if there are no findings.
-fn count(findings: &[Finding]) -> String {
+fn count(findings: &[Finding], language: Language) -> String {
     let Some(first) = findings.iter().find(|finding| finding.severity() == Severity::Error).or(findings.first()) else {
         return String::new();
     };
-    format!("{}. `sieben explain {}` says more.\n", tally(findings), first.diagnostic.problem.code())
+    fill(language, SAYS_MORE, &[&tally(findings, language), &first.diagnostic.problem.code()])
 }
 
-fn render_one(finding: &Finding, cache: &mut TextCache<'_>, colour: bool, out: &mut Vec<u8>) {
+fn render_one(finding: &Finding, cache: &mut TextCache<'_>, colour: bool, language: Language, out: &mut Vec<u8>) {
     let diagnostic = &finding.diagnostic;
-    let (kind, shade) = match finding.severity() {
-        Severity::Error => (ReportKind::Error, Color::Red),
-        Severity::Warning => (ReportKind::Warning, Color::Yellow),
+    let (kind, word, shade) = match finding.severity() {
+        Severity::Error => (ReportKind::Error, ERROR, Color::Red),
+        Severity::Warning => (ReportKind::Warning, WARNING, Color::Yellow),
     };
-    let help = help_of(diagnostic);
+    let help = help_in(language, diagnostic);
     let place = Place::of(&finding.origin, diagnostic.span, cache.texts);
     let drawable = place.as_ref().is_some_and(|place| place.is_drawable(cache.texts));
     let Some(place) = place.filter(|_| drawable) else {
-        render_plain(finding, cache.texts, colour, out);
+        render_plain(finding, cache.texts, colour, language, out);
         return;
     };
     let config = Config::new()
@@ -84,11 +93,12 @@ fn render_one(finding: &Finding, cache: &mut TextCache<'_>, colour: bool, out: &
     let mut report = Report::build(kind, cache.shown(&place))
         .with_config(config)
         .with_code(diagnostic.problem.code())
-        .with_message(visible(&finding.message()));
+        .with_message(visible(&said_in(language, diagnostic.problem, &finding.message())));
     if let Some(help) = help {
-        report = report.with_help(visible(&help));
+        let lines: Vec<_> = help.lines().map(visible).collect();
+        report = report.with_help(format!("{HELP_BEGINS}{}", lines.join("\n ")));
     }
-    let title = diagnostic.fix.as_ref().map_or("here", |fix| fix.title.as_str());
+    let title = diagnostic.fix.as_ref().map_or(pick(language, HERE), |fix| fix.title.as_str());
     let mut labels = vec![(place, shade, title)];
     labels.extend(diagnostic.related.iter().filter_map(|(span, word)| {
         let place = Place::of(&finding.origin, *span, cache.texts).filter(|place| place.is_drawable(cache.texts))?;
@@ -99,20 +109,29 @@ fn render_one(finding: &Finding, cache: &mut TextCache<'_>, colour: bool, out: &
     for (place, shade, word) in labels {
         report = report.with_label(Label::new(cache.shown(&place)).with_color(shade).with_message(visible(word)));
     }
-    let start = out.len();
-    if report.finish().write(&mut *cache, &mut *out).is_err() {
-        out.truncate(start);
-        render_plain(finding, cache.texts, colour, out);
+    let mut drawn = Vec::new();
+    match report.finish().write(&mut *cache, &mut drawn) {
+        Ok(()) => out.extend_from_slice(in_words(&String::from_utf8_lossy(&drawn), word, language).as_bytes()),
+        Err(_) => render_plain(finding, cache.texts, colour, language, out),
     }
 }
 
+/// A drawn report with what it is, which stands first, and its help named in the language.
+fn in_words(drawn: &str, word: Text, language: Language) -> String {
+    let drawn = drawn.replacen(word[0], pick(language, word), 1);
+    let Some((before, help)) = drawn.rsplit_once(HELP_BEGINS) else { return drawn };
+    let (before, separator) = before.rsplit_once(failure::HELP[0]).unwrap_or((before, ""));
+    format!("{before}{}{separator}{help}", pick(language, failure::HELP))
+}
+
 /// Without the source lines: for whole files and for lines too long to draw.
-fn render_plain(finding: &Finding, texts: &Texts, colour: bool, out: &mut Vec<u8>) {
+fn render_plain(finding: &Finding, texts: &Texts, colour: bool, language: Language, out: &mut Vec<u8>) {
     let diagnostic = &finding.diagnostic;
     let (word, shade) = match finding.severity() {
-        Severity::Error => ("Error", "\x1b[31m"),
-        Severity::Warning => ("Warning", "\x1b[33m"),
+        Severity::Error => (ERROR, "\x1b[31m"),
+        Severity::Warning => (WARNING, "\x1b[33m"),
     };
+    let word = pick(language, word);
     let (shade, plain) = if colour { (shade, "\x1b[0m") } else { ("", "") };
     let place = match &finding.origin {
         Origin::File(_) => String::new(),
@@ -122,9 +141,11 @@ fn render_plain(finding: &Finding, texts: &Texts, colour: bool, out: &mut Vec<u8
         }),
     };
     let code = diagnostic.problem.code();
-    out.extend_from_slice(format!("{shade}[{code}] {word}:{plain} {}{place}\n", visible(&finding.message())).as_bytes());
-    if let Some(help) = help_of(diagnostic) {
-        out.extend_from_slice(format!("  Help: {}\n", visible(&help)).as_bytes());
+    let message = said_in(language, diagnostic.problem, &finding.message());
+    out.extend_from_slice(format!("{shade}[{code}] {word}:{plain} {}{place}\n", visible(&message)).as_bytes());
+    if let Some(help) = help_in(language, diagnostic) {
+        let lines: Vec<_> = help.lines().map(visible).collect();
+        out.extend_from_slice(format!("  {}: {}\n", pick(language, failure::HELP), lines.join("\n  ")).as_bytes());
     }
 }
 

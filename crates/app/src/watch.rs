@@ -20,7 +20,7 @@ use sieben_workspace::settings::{FILE_NAME, Settings};
 use crate::arguments::ProgramArguments;
 use crate::engines::EngineArgument;
 use crate::failure::Failure;
-use crate::{output, paths, report};
+use crate::{language, output, paths, report};
 
 /// How often the files are looked at. A change is taken when the next look finds it finished.
 const LOOK_PERIOD: Duration = Duration::from_millis(250);
@@ -256,7 +256,7 @@ impl Looking {
         let build = project.compile(self.overrides, false);
         self.sources = sources(&build);
         if finding::has_errors(&build.findings) {
-            return Found::Broken(report::render(&build.findings, &build.project.texts, output::colour()));
+            return Found::Broken(report::render(&build.findings, &build.project.texts, output::colour(), language::spoken()));
         }
         if *build.cpu != *self.cpu {
             return Found::Broken("The CPU type is another one, which needs a restart.\n".to_owned());

@@ -1014,3 +1014,73 @@ fn diagrams_are_formatted_and_change_their_mnemonics() {
     assert_eq!(String::from_utf8(folder.read("main.lad")).expect("UTF-8"), wanted);
     assert_eq!(String::from_utf8(folder.read("count.awl")).expect("UTF-8"), DRAWN[3].1);
 }
+
+/// The folder of a program with a label that is missing.
+fn jump_to_nowhere() -> Folder {
+    Folder::with(&[("lamp.awl", "      A     I 0.0\n      JC    end\n      =     Q 4.0\n")])
+}
+
+#[test]
+fn german_is_chosen_by_an_option_or_by_the_environment() {
+    let folder = jump_to_nowhere();
+    let german = "[P3004] Fehler: ein Sprung zu einer Marke, die es nicht gibt: there is no label `end`";
+    for arguments in [["check", "lamp.awl", "--lang", "de"], ["--lang", "de", "check", "lamp.awl"]] {
+        folder.run(&arguments).code(3).stderr(german).stderr("Hilfe: Die Marke vor eine Anweisung").stderr("1 Fehler. `sieben explain");
+    }
+    let with = |variables: &[(&str, &str)], arguments: &[&str]| {
+        let mut command = sieben(folder.path(), arguments);
+        command.env_remove("LC_ALL").env_remove("LC_MESSAGES").env_remove("LANG").envs(variables.iter().copied());
+        let output = command.output().expect("the binary starts");
+        [output.stdout, output.stderr].map(|bytes| String::from_utf8(bytes).expect("UTF-8")).concat()
+    };
+    let check = ["check", "lamp.awl"];
+    assert!(with(&[("LANG", "de_AT.UTF-8")], &check).contains(german));
+    assert!(with(&[("LC_MESSAGES", "de_DE"), ("LANG", "C")], &check).contains(german));
+    let english = with(&[], &check);
+    assert!(english.contains("[P3004] Error: there is no label `end`") && english.contains("Help: Write the label"), "{english}");
+    assert_eq!(with(&[("LC_ALL", "C"), ("LANG", "de_DE")], &check), english);
+    assert_eq!(with(&[("LANG", "de_DE")], &["check", "lamp.awl", "--lang", "en"]), english);
+}
+
+#[test]
+fn what_programs_read_stays_english() {
+    let folder = jump_to_nowhere();
+    for arguments in
+        [&["check", "lamp.awl", "--json"][..], &["check", "lamp.awl", "--output-format", "concise"], &["test", "lamp.awl", "--tap"]]
+    {
+        let of = |locale: &str| sieben(folder.path(), arguments).env("LC_ALL", locale).output().expect("the binary starts").stdout;
+        assert_eq!(of("de_DE.UTF-8"), of("C"), "{arguments:?}");
+    }
+}
+
+#[test]
+fn help_and_explanations_are_german() {
+    let folder = jump_to_nowhere();
+    let run = |arguments: &[&str]| folder.run(arguments);
+    run(&["run", "--help", "--lang", "de"]).code(0).stdout("Aufruf: sieben run [OPTIONEN] [PFAD]...").stdout("Exitcodes: 0 in Ordnung");
+    run(&["--lang=de", "help", "exec"]).code(0).stdout("Optionen:");
+    let title = "P3004 (Fehler): ein Sprung zu einer Marke, die es nicht gibt";
+    for arguments in [&["explain", "P3004", "--lang", "de"][..], &["explain", "--lang=de", "P3004"], &["--lang", "de", "explain", "P3004"]]
+    {
+        run(arguments).code(0).stdout(title).stdout("Die Seite dazu ist englisch:");
+    }
+    run(&["explain", "problems", "--lang", "de"]).code(0).stdout("P3004  ein Sprung zu einer Marke, die es nicht gibt\n");
+    run(&["check", "nowhere.awl", "--lang", "de"]).code(2).stderr("[P6001] Fehler: eine Datei, die nicht gelesen werden kann: ");
+    run(&["check", "--lang", "nl"]).code(2).stderr("`nl` is no language of Sieben; there are en and de");
+}
+
+#[test]
+fn headings_of_tables_are_german_and_their_json_is_not() {
+    let folder = Folder::with(&[("lamp.awl", "      A     I 0.0\n      =     Q 4.0\n")]);
+    let verbs = [
+        ("refs", "Adresse  Symbol", "Querverweisliste"),
+        ("structure", "Baustein  Symbol  Aufruf", "Programmstruktur"),
+        ("assignments", "Eingänge", "Belegungsplan"),
+    ];
+    for (verb, heading, title) in verbs {
+        folder.run(&[verb, "lamp.awl", "--lang", "de"]).code(0).stdout(heading);
+        folder.run(&[verb, "lamp.awl", "--html", "--lang", "de"]).code(0).stdout("<html lang=\"de\">").stdout(title);
+        let json = |language| folder.run(&[verb, "lamp.awl", "--json", "--lang", language]).code(0).stdout;
+        assert_eq!(json("de"), json("en"));
+    }
+}

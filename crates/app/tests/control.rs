@@ -187,6 +187,10 @@ fn every_verb_has_its_answer() {
     assert_eq!(written["done"], 4, "{written}");
     assert!(written["scan"].as_u64().is_some(), "{written}");
     assert_eq!((client.value("DB1.level"), client.value("DB1.text"), client.value("MW30")), (json!(1.5), json!("'abc'"), json!("16#004D")));
+    // A timer is the count to programs, and the time that it has left to people.
+    client.ask(json!({ "verb": "write", "values": { "T5": "S5T#5S" } }));
+    let timer = client.ask(json!({ "verb": "read", "items": ["T5"] }));
+    assert_eq!((&timer["items"][0]["value"], &timer["items"][0]["shown"]), (&json!(500), &json!("S5T#5S")), "{timer}");
     until("the output follows the input", || (client.value("Q0.0") == 1).then_some(()));
     // One wrong name or value keeps all of it back, whether it is the text or the CPU that refuses it.
     for (wrong, code) in [("XW1", "P7003"), ("DB9.DBW0", "P7003"), ("M 0.0", "P7004"), ("C 1", "P7004")] {

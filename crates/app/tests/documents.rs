@@ -125,6 +125,7 @@ fn run(folder: &Path, command: &str) -> String {
         .args(words(command))
         .current_dir(folder)
         .env("NO_COLOR", "1")
+        .env("LC_ALL", "C")
         .env("COLUMNS", "100")
         .stdin(Stdio::null())
         .stdout(Stdio::piped())

@@ -23,7 +23,7 @@ fn name(example: &Path) -> String {
 
 /// What `sieben` prints and its exit code.
 fn sieben(arguments: &[&str], example: &Path) -> (String, Option<i32>) {
-    let output = Command::new(env!("CARGO_BIN_EXE_sieben")).args(arguments).arg(example).output().expect("sieben runs");
+    let output = Command::new(env!("CARGO_BIN_EXE_sieben")).env("LC_ALL", "C").args(arguments).arg(example).output().expect("sieben runs");
     let text = [output.stdout, output.stderr].map(|bytes| String::from_utf8_lossy(&bytes).into_owned()).concat();
     (text, output.status.code())
 }

@@ -187,7 +187,7 @@ fn a_list_that_is_too_long_and_a_run_that_is_over_are_told() {
         let million = vec![(item(20), Value::bytes([1, 1])); 1_000_000];
         assert_eq!(gate.write(&million).err(), Some(ListError::TooLong(1_000_000)));
         assert_eq!(read(gate, &[20]).map(|(_, values)| values), Ok(vec![0]), "nothing was written");
-        let jobs = gate.enter_for_each(0..1_000_u32, |plant, job| (plant.scans, job)).expect("the run goes on");
+        let jobs = gate.look_for_each(0..1_000_u32, |plant, job| (plant.scans, job)).expect("the run goes on");
         assert_eq!(jobs.iter().map(|&(_, job)| job).collect::<Vec<_>>(), (0..1_000).collect::<Vec<_>>());
         // Somebody who dies inside leaves the lock behind.
         let died = catch_unwind(AssertUnwindSafe(|| gate.enter(|_| std::panic::resume_unwind(Box::new("dies")))));

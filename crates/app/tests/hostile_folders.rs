@@ -207,6 +207,7 @@ fn with_file_blocks(folder: &Path, blocks: u32, arguments: &[&str]) -> Run {
         .args(arguments)
         .current_dir(folder)
         .env("NO_COLOR", "1")
+        .env("LC_ALL", "C")
         .stdin(Stdio::null())
         .output()
         .expect("a shell");

@@ -40,7 +40,7 @@ impl Project {
     }
     fn command(&self, arguments: &[&str]) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_sieben"));
-        command.arg("run").args(arguments).current_dir(&self.0).env("NO_COLOR", "1").stdin(Stdio::null());
+        command.arg("run").args(arguments).current_dir(&self.0).env("NO_COLOR", "1").env("LC_ALL", "C").stdin(Stdio::null());
         command
     }
     fn run(&self, arguments: &[&str]) -> Run {

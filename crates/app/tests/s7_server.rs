@@ -464,7 +464,7 @@ fn a_socket_that_was_handed_over_is_served() {
         env!("CARGO_BIN_EXE_sieben")
     );
     let mut shell = Command::new("sh");
-    shell.args(["-c", &script]).current_dir(folder.path()).env("XDG_RUNTIME_DIR", folder.path()).stdout(Stdio::piped());
+    shell.args(["-c", &script]).current_dir(folder.path()).env("LC_ALL", "C").env("XDG_RUNTIME_DIR", folder.path()).stdout(Stdio::piped());
     let running = Running::started(shell.spawn().expect("a shell"));
     assert_eq!(running.address, address);
     assert_eq!(running.client().read(DATA, 1, 0, 2), Ok(vec![0, 5]));

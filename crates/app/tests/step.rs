@@ -376,7 +376,99 @@ fn reasons_of_structured_text_read_as_the_program_does() {
         assert!(run.stdout.contains(reason), "`{reason}` is missing in\n{}{}", run.stdout, run.stderr);
     }
     // The first turn of a loop shows its condition, as every other does.
-    assert_eq!(run.stdout.lines().filter(|line| line.ends_with("  y > 102")).count(), 2, "{}", run.stdout);
+    assert_eq!(run.stdout.lines().filter(|line| line.contains("  y > 102  ")).count(), 2, "{}", run.stdout);
+}
+
+/// The rows of a run: position, statement and what stands after it, without the padding.
+fn rows(run: &Run) -> Vec<String> {
+    let row = |line: &str| {
+        let mut words = line.split_whitespace();
+        let position: u64 = words.next()?.parse().ok()?;
+        let rest: Vec<&str> = words.skip(2).collect();
+        Some(format!("{position} {}", rest.join(" ")))
+    };
+    run.stdout.lines().filter_map(row).collect()
+}
+
+const BLINK: &str = "PROGRAM Main\nVAR wait : TON; list : ARRAY[1..3] OF TIME; name : STRING[8]; i : INT := 2; on : BOOL; r : REAL; END_VAR\n\
+    list[i] := T#1s500ms;\nname := 'lamp';\nr := 2.5 * 4.0;\nwait(IN := NOT on, PT := list[i]);\nIF wait.Q THEN on := TRUE; END_IF;\nEND_PROGRAM\n";
+
+#[test]
+fn after_a_line_of_structured_text_stand_the_variables_that_it_names() {
+    let folder = Folder::with(&[("main.st", BLINK), ("steps.txt", "step 6\n")]);
+    let run = folder.run(&["step", "main.st", "--commands", "steps.txt"]).code(0);
+    let expected = [
+        "1 Main",
+        "2 list[i] := T#1s500ms // list[i] = T#1S500MS, i = 2",
+        "3 name := 'lamp' // name = 'lamp'",
+        "4 r := 2.5 * 4.0 // r = 10.0",
+    ];
+    let rows = rows(&run);
+    assert_eq!(rows[..4], expected, "{}", run.stdout);
+    // The call of the library is one step, and its outputs are those after it.
+    assert!(
+        rows[4].ends_with("wait(IN := NOT on, PT := list[i]) // wait.Q = FALSE, wait.ET = T#0MS, on = FALSE, list[i] = T#1S500MS, i = 2"),
+        "{rows:?}"
+    );
+    assert!(rows[5].ends_with("wait.Q // wait.Q = FALSE"), "{rows:?}");
+    // What it changed is called as the program calls it, and no register of the compiler is among it.
+    assert!(run.stdout.contains("wait.IN: 0 -> 1; wait.M: 0 -> 1; wait.PT: T#0MS -> T#1S500MS"), "{}", run.stdout);
+    assert!(!run.stdout.contains("RLO") && !run.stdout.contains("AR2"), "{}", run.stdout);
+    // An element whose index the statement changes is not the one that was read.
+    let source = "PROGRAM Main\nVAR list : ARRAY[0..3] OF INT := [1, 2, 3, 3]; i : INT; END_VAR\ni := list[i];\nlist[i + 1] := list[i] * 10;\nEND_PROGRAM\n";
+    let indexed = Folder::with(&[("main.st", source), ("steps.txt", "step 3\n")]);
+    let other = indexed.run(&["step", "main.st", "--commands", "steps.txt"]).code(0);
+    assert!(other.stdout.contains("  // i = 1\n"), "{}", other.stdout);
+    assert!(other.stdout.contains("  // list[i + 1] = 20, list[i] = 2, i = 1\n"), "{}", other.stdout);
+    let run = folder.run(&["step", "main.st", "--commands", "steps.txt", "--json"]).code(0);
+    assert!(run.stdout.contains("\"line_values\":{\"wait.Q\":\"FALSE\"}"), "{}", run.stdout);
+}
+
+#[test]
+fn a_step_goes_over_the_library_there_and_back_and_into_it_on_request() {
+    let commands = "step 5\nback\nstep\nback 2\nstep 2\nback\ninto\nstack\nout\nback\ninto 2\nback into\n";
+    let folder = Folder::with(&[("main.st", BLINK), ("steps.txt", commands)]);
+    let run = folder.run(&["step", "main.st", "--commands", "steps.txt", "--json"]).code(0);
+    let positions: Vec<u64> = values(&run, "position").iter().map(|text| text.parse().expect("a number")).collect();
+    let (call, after) = (4, positions[0]);
+    assert!(after > call + 1, "{positions:?}");
+    assert_eq!(positions, [after, call, after, 3, after, call, call + 1, call + 1, after, call, call + 2, call + 1], "{}", run.stdout);
+    assert!(run.stdout.contains(r#""text":"OB 1\nMain\nTON\n""#), "{}", run.stdout);
+    // The end of a scan ends a step, also where a block of the library is the last thing that happens.
+    let end = Folder::with(&[
+        ("main.st", "PROGRAM Main\nVAR t : TON; END_VAR\nt(IN := TRUE, PT := T#1s);\nEND_PROGRAM\n"),
+        ("steps.txt", "step 100\n"),
+    ]);
+    let run = end.run(&["step", "main.st", "--commands", "steps.txt", "--scans", "2", "--json"]).code(0);
+    assert_eq!(values(&run, "halt"), ["\"no more scans\""], "{}", run.stdout);
+}
+
+#[test]
+fn rows_of_another_language_get_the_head_of_their_columns() {
+    let source = "FUNCTION FC 1 : VOID\nVAR_INPUT\n n : INT;\nEND_VAR\nBEGIN\nL #n\nT MW 10\nEND_FUNCTION\n";
+    let program = "ORGANIZATION_BLOCK OB1\nVAR_TEMP\n x : INT;\nEND_VAR\nBEGIN\n x := 7;\n FC1(n := x);\nEND_ORGANIZATION_BLOCK\n";
+    let folder = Folder::with(&[("a.awl", source), ("b.scl", program), ("steps.txt", "step 6\n")]);
+    let run = folder.run(&["step", "a.awl", "b.scl", "--commands", "steps.txt"]).code(0);
+    let heads: Vec<&str> = run.stdout.lines().filter(|line| line.contains("  pos  ")).map(|line| &line[31..36]).collect();
+    assert_eq!(heads, ["  sta", "  RLO", "  sta"], "{}", run.stdout);
+}
+
+#[test]
+fn between_two_scans_the_variables_that_the_program_keeps_are_shown() {
+    let folder = Folder::with(&[("main.st", BLINK), ("steps.txt", "scan\nlocals\nprint on, list[2], wait.PT\n")]);
+    let run = folder.run(&["step", "main.st", "--commands", "steps.txt"]).code(0);
+    for line in ["  variables of Main\n", "    STAT    i           INT        2\n", "  list[2] = T#1S500MS\n", "  wait.PT = T#1S500MS\n"] {
+        assert!(run.stdout.contains(line), "`{line}` is missing in\n{}", run.stdout);
+    }
+    let json = folder.run(&["step", "main.st", "--commands", "steps.txt", "--json"]).code(0);
+    assert!(json.stdout.contains("\"locals\":null") && json.stdout.contains("\"kept\":[{\"block\":"), "{}", json.stdout);
+    // Of STL the instances are known by their data blocks.
+    let source = "FUNCTION_BLOCK FB 5\nVAR\n n : INT := 3;\nEND_VAR\nBEGIN\nL #n\nEND_FUNCTION_BLOCK\nDATA_BLOCK DB 6\nFB 5\nBEGIN\nEND_DATA_BLOCK\n\
+        ORGANIZATION_BLOCK OB 1\nBEGIN\nCALL FB 5, DB 6;\nEND_ORGANIZATION_BLOCK\n";
+    let (_folder, run) = step(source, "scan\nlocals\n", &[]);
+    assert!(run.stdout.contains("  variables of FB 5, DB 6\n    STAT    DB6.n  INT  3\n"), "{}", run.stdout);
+    let (_folder, none) = step(COUNTER, "scan\nlocals\n", &[]);
+    assert!(none.stdout.contains("the program keeps no variables between two scans"), "{}", none.stdout);
 }
 
 #[test]
@@ -394,4 +486,65 @@ fn an_element_of_a_diagram_is_paused_at_and_named_like_a_statement() {
     }
     let run = folder.run(&["step", "main.lad", "--commands", "steps.txt", "--json"]).code(0);
     assert!(run.stdout.contains("\"file\":\"main.lad\",\"line\":10,\"text\":\"= Q 4.0\""), "{}", run.stdout);
+}
+
+#[test]
+fn constants_are_shown_by_their_names_and_cannot_be_set() {
+    let source = "VAR_GLOBAL CONSTANT LIMIT : INT := 7; END_VAR\n\
+        FUNCTION_BLOCK Lane\nVAR CONSTANT PLACES : INT := 50; END_VAR\nVAR n : INT; END_VAR\nn := n + PLACES;\nEND_FUNCTION_BLOCK\n\
+        PROGRAM Main\nVAR CONSTANT DAY : DATE := D#2024-02-29; NAME : STRING[4] := 'abc'; FAST : BOOL := TRUE; RATE : REAL := 2.5; END_VAR\n\
+        VAR lane1 : Lane; d : DATE; ld : LDATE := LD#2024-02-29; END_VAR\nd := DAY;\nlane1();\nIF d > D#2024-01-01 THEN d := d; END_IF;\nEND_PROGRAM\n";
+    let commands = "print ld, DAY, NAME, FAST, RATE, LIMIT, Main.DAY, Lane.PLACES, DAY:BIN\nto Lane:1\nprint PLACES, #PLACES\nset PLACES=5\nstep\nscan\n";
+    let folder = Folder::with(&[("main.st", source), ("steps.txt", commands)]);
+    let run = folder.run(&["step", "main.st", "--commands", "steps.txt"]).code(2);
+    for line in [
+        "  ld = LD#2024-02-29\n  DAY = D#2024-02-29\n  NAME = 'abc'\n  FAST = 1\n  RATE = 2.5\n  LIMIT = 7\n  Main.DAY = D#2024-02-29\n  Lane.PLACES = 50\n",
+        "  PLACES = 50\n  #PLACES = 50\n",
+        "// n = 50\n",
+    ] {
+        assert!(run.stdout.contains(line), "`{line}` is missing in\n{}{}", run.stdout, run.stderr);
+    }
+    assert!(run.stderr.contains("[P7113] Error: `PLACES=5`: `PLACES` is a constant"), "{}", run.stderr);
+    // What a block calls its own means nothing elsewhere, and programs get the notation of 64 bits as before.
+    let shown = folder.run(&["exec", "main.st", "--scans", "1", "--show", "LIMIT,d,Main.NAME:HEX"]).code(0);
+    assert!(shown.stdout.starts_with("LIMIT         = 7\nd             = LD#2024-02-29\n"), "{}", shown.stdout);
+    let unknown = folder.run(&["exec", "main.st", "--scans", "1", "--show", "PLACES"]).code(2);
+    assert!(unknown.stderr.contains("P7003"), "{}", unknown.stderr);
+    let scl = "FUNCTION FC1 : VOID\nCONST\n DEPTH := 12;\nEND_CONST\nVAR_TEMP\n x : INT;\nEND_VAR\nBEGIN\n x := DEPTH;\nEND_FUNCTION\n\
+        ORGANIZATION_BLOCK OB1\nBEGIN\n FC1();\nEND_ORGANIZATION_BLOCK\n";
+    let folder = Folder::with(&[("main.scl", scl), ("steps.txt", "to FC1:1\nprint DEPTH, FC1.DEPTH\n")]);
+    let run = folder.run(&["step", "main.scl", "--commands", "steps.txt"]).code(0);
+    assert!(run.stdout.ends_with("  DEPTH = 12\n  FC1.DEPTH = 12\n"), "{}{}", run.stdout, run.stderr);
+}
+
+#[test]
+fn a_pointer_is_shown_as_it_is_written() {
+    let source = "FUNCTION FC 1 : VOID\nVAR_INPUT\n p : POINTER;\n a : ANY;\nEND_VAR\nBEGIN\nNOP 0\nEND_FUNCTION\n\
+        ORGANIZATION_BLOCK OB 1\nBEGIN\nCALL FC 1 (p := P#M 10.0, a := P#DB5.DBX 10.0 BYTE 20);\nEND_ORGANIZATION_BLOCK\n";
+    let (folder, run) = step(source, "to FC1:1\nlocals\nprint #p\n", &[]);
+    assert!(
+        run.stdout.contains("  #p  POINTER  P#M 10.0\n") && run.stdout.contains("  #a  ANY      P#DB5.DBX 10.0 BYTE 20\n"),
+        "{}",
+        run.stdout
+    );
+    assert!(run.stdout.ends_with("  #p = P#M 10.0\n"), "{}", run.stdout);
+    let json = folder.run(&["step", "main.awl", "--commands", "steps.txt", "--json"]);
+    assert!(json.stdout.contains("\"values\":{\"#p\":\"00 00 83 00 00 50\"}"), "{}", json.stdout);
+}
+
+#[test]
+fn a_rotation_can_be_followed_bit_by_bit() {
+    // RLD goes around in the accumulator, RRDA through CC 1.
+    let source = "ORGANIZATION_BLOCK OB 1\nBEGIN\nL DW#16#5F64AA5D\nRLD 4\nRRDA\nEND_ORGANIZATION_BLOCK\n";
+    let commands = "show ACCU1:BIN\nstep\nstep\nstep\n";
+    let (_folder, run) = step(source, commands, &[]);
+    let bits: Vec<&str> = run.stdout.lines().filter_map(|line| line.trim().strip_prefix("ACCU1:BIN = 2#")).collect();
+    let expected = [
+        "0000_0000_0000_0000_0000_0000_0000_0000",
+        "0101_1111_0110_0100_1010_1010_0101_1101",
+        "1111_0110_0100_1010_1010_0101_1101_0101",
+        "1111_1011_0010_0101_0101_0010_1110_1010",
+    ];
+    assert_eq!(bits, expected, "{}", run.stdout);
+    assert_eq!(run.stdout.matches("31   27   23   19   15   11   7    3").count(), 4, "{}", run.stdout);
 }

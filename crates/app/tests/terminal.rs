@@ -43,7 +43,7 @@ fn start(folder: &Folder, arguments: &[&str], inside: OwnedFd) -> Child {
 fn start_as(folder: &Folder, arguments: &[&str], inside: OwnedFd, term: &str) -> Child {
     let stdio = || Stdio::from(File::from(inside.try_clone().expect("one more handle")));
     let mut command = Command::new(env!("CARGO_BIN_EXE_sieben"));
-    command.args(arguments).current_dir(folder.path()).env("TERM", term).env("XDG_RUNTIME_DIR", folder.path());
+    command.args(arguments).current_dir(folder.path()).env("TERM", term).env("LC_ALL", "C").env("XDG_RUNTIME_DIR", folder.path());
     if term.is_empty() {
         command.env_remove("TERM");
     }
@@ -419,12 +419,31 @@ fn a_terminal_that_changes_its_size_is_drawn_anew() {
 
 #[test]
 fn without_a_screen_a_run_prints_lines_where_it_is_asked_to() {
-    let folder = folder();
-    let (window, inside) = terminal();
-    let run = start(&folder, &["run", "--plain", "--for", "1s"], inside);
-    assert_eq!(end(run).code(), Some(0));
-    let printed = Window::of(window).printed();
-    assert!(printed.contains("ran for 1.0 s") && !printed.contains("\u{1b}[?1049h"), "{printed:?}");
+    let program = "ORGANIZATION_BLOCK OB 1\nBEGIN\nAN M 0.0\n= Q 4.0\nEND_ORGANIZATION_BLOCK\n";
+    let folder = Folder::with(&[("main.awl", program)]);
+    let line = "scan 1 (0.00 s): Q 4.0 0→1";
+    let on_terminal = |arguments: &[&str], term: &str| {
+        let (window, inside) = terminal();
+        let run = start_as(&folder, arguments, inside, term);
+        assert_eq!(end(run).code(), Some(0));
+        Window::of(window).printed()
+    };
+    for (arguments, term) in
+        [(&["run", "--plain", "--for", "1s"][..], "xterm"), (&["run", "--for", "1s"], "dumb"), (&["run", "--for", "1s"], "")]
+    {
+        let printed = on_terminal(arguments, term);
+        assert!(printed.contains(line) && printed.contains("RUN: ran for 1.0 s") && !printed.contains("\u{1b}[?1049h"), "{printed:?}");
+    }
+    // Programs read what they always have, unless they ask for the lines.
+    for (more, lines) in [(None, 0), (Some("--plain"), 1)] {
+        let arguments: Vec<&str> = ["run", "--for", "1s", "--speed", "max"].into_iter().chain(more).collect();
+        let output = sieben(folder.path(), &arguments).output().expect("sieben runs");
+        let text = String::from_utf8(output.stdout).expect("UTF-8");
+        assert_eq!(text.matches(line).count(), lines, "{text}");
+        assert!(text.ends_with(" scans, cycle 10 ms (min 10 ms, max 10 ms)\n"), "{text}");
+    }
+    let both = sieben(folder.path(), &["run", "--plain", "--json"]).output().expect("sieben runs");
+    assert_eq!(both.status.code(), Some(2), "lines and one JSON object do not go together");
 }
 
 /// Exercise 1.1 of the course, with keys alone: the decades are shown while they are not below the toggle switches.

@@ -64,6 +64,9 @@ impl<'m> Moment<'m> {
     /// What an item holds; `None` if nothing: a data block that is not loaded, a block that does not run. A peripheral input has the value of
     /// the process image, an output likewise.
     pub fn content(self, item: &Item) -> Option<Content> {
+        if let Place::Constant(content) = &item.place {
+            return Some(content.clone());
+        }
         self.bits(item).map(Content::Bits).or_else(|| self.bytes(item).map(|bytes| Content::Bytes(bytes.into())))
     }
 
@@ -102,6 +105,7 @@ impl<'m> Moment<'m> {
             },
             Place::Register(register) => Some(registers.get(*register)),
             Place::Status => Some(u64::from(registers.status().0)),
+            Place::Constant(content) => content.bits(),
         }
     }
 
@@ -134,7 +138,7 @@ impl<'m> Moment<'m> {
                 (Spot::Arena(first, _), None) => Some((first..first.checked_add(length_of(&local.data_type)?)?, 0xFF)),
                 (Spot::Number(_), _) => None,
             },
-            Place::Operand(_) | Place::TimerStatus(_) | Place::Register(_) | Place::Status => None,
+            Place::Operand(_) | Place::TimerStatus(_) | Place::Register(_) | Place::Status | Place::Constant(_) => None,
         }
     }
 

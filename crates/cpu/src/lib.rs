@@ -41,7 +41,7 @@ pub mod system_status_list;
 pub use clock::{ClockRefused, DateAndTime, TimeSource};
 pub use communication::{Communication, ProtectionLevel, Requester};
 pub use cpu::{
-    ChangeRefused, Cpu, DataLoss, EndState, Loaded, Modules, NotReplayed, NotedScan, RecordedScan, Replayer, ScanReport, Snapshot,
+    ChangeRefused, Cpu, DataLoss, EndState, Loaded, NotReplayed, RecordedScan, Recording, Replayer, ScanReport, Snapshot, Step,
     StopRequest, TestStep,
 };
 pub use cycle::CycleTimes;

@@ -26,6 +26,7 @@ pub(crate) enum Reading {
 }
 
 impl Reading {
+    /// Bytes that it takes.
     pub(crate) fn bytes(&self) -> usize {
         size_of::<Self>()
             + match self {

@@ -9,6 +9,7 @@ use sieben_model::interface::Interface;
 use sieben_model::program::DataBlock;
 use sieben_model::source::Span;
 use sieben_model::types::DataType;
+use sieben_model::value::Content;
 
 use crate::ir::{Code, Inst, Place};
 
@@ -69,6 +70,19 @@ pub struct Names {
     pub open: Vec<u16>,
     /// Variables with an address, in lower case.
     pub located: BTreeMap<String, (Operand, DataType)>,
+    /// Constants that need no memory, in lower case; with the block whose statements call them by that name.
+    pub constants: BTreeMap<(Option<BlockId>, String), Constant>,
+    /// DATE and DT of the sources have 64 bits, as LDATE and LDT have.
+    pub short_dates: bool,
+}
+
+/// A constant by its name.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Constant {
+    /// Its type.
+    pub data_type: DataType,
+    /// Its value.
+    pub content: Content,
 }
 
 /// Everything that is loaded into a CPU.

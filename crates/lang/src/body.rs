@@ -11,7 +11,7 @@ use sieben_model::interface::Interface;
 use crate::coverage::Countable;
 use crate::references::{Around, Reference};
 use crate::sentences::table::Sentence;
-use crate::sentences::{Language, Moment, Surroundings};
+use crate::sentences::{Language, Moment, Named, Surroundings};
 use crate::st::tree::TypedBlock;
 use crate::stl::lower::ResolvedBlock;
 
@@ -88,6 +88,11 @@ impl CheckedBody {
         ask!(self, block => block.is_called_by_name())
     }
 
+    /// Whether its statements work on RLO, accumulators and address registers, so that these are worth a look.
+    pub fn works_on_registers(&self) -> bool {
+        ask!(self, block => block.works_on_registers())
+    }
+
     /// The statements that store something only where the RLO is 1.
     pub fn stores_if_rlo(&self) -> Vec<u32> {
         ask!(self, block => block.stores_if_rlo())
@@ -111,6 +116,14 @@ impl CheckedBody {
     /// Why a statement did what it did.
     pub(crate) fn why(&self, around: Surroundings<'_>, moment: &Moment<'_>, language: Language) -> String {
         ask!(self, block => block.why(around, moment, language))
+    }
+
+    /// The variables that a statement names, with what they hold after it; none in a language whose statements work on registers.
+    pub(crate) fn named(&self, around: Surroundings<'_>, moment: &Moment<'_>, language: Language) -> Vec<Named> {
+        match self {
+            Self::Stl(_) => Vec::new(),
+            Self::St(block) => block.named(around, moment, language),
+        }
     }
 
     /// Which sentences that is made of; none in a language whose sentences are not chosen by the statement alone.

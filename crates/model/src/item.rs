@@ -7,7 +7,7 @@ use crate::block::BlockId;
 use crate::format::{Fit, Format, FormatError};
 use crate::registers::{Register, STATUS_BITS};
 use crate::types::DataType;
-use crate::value::Kind;
+use crate::value::{Content, Kind};
 
 pub use reading::ValueError;
 
@@ -35,6 +35,8 @@ pub enum Place {
     Register(Register),
     /// All nine status bits.
     Status,
+    /// Nowhere: a constant of the source, with its value.
+    Constant(Content),
 }
 
 /// Bytes of an area or of a data block, one after the other.
@@ -173,6 +175,11 @@ impl Item {
             _ => Kind::Bits(32),
         };
         Self { place: Place::Register(register), kind }
+    }
+
+    /// A constant of the source.
+    pub fn constant(data_type: &DataType, content: Content) -> Self {
+        Self { place: Place::Constant(content), kind: Kind::of_type(data_type) }
     }
 
     /// The status word.

@@ -10,6 +10,7 @@ pub mod extension;
 pub mod format;
 pub mod interface;
 pub mod item;
+pub mod language;
 pub mod literal;
 pub mod mnemonics;
 pub mod name_index;

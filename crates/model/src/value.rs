@@ -78,11 +78,16 @@ impl Value {
     }
 }
 
+/// How a recording calls DATE and DT of 64 bits.
+const SHORT_DATES: [(&str, DataType); 2] = [("DATE_64", DataType::LongDate), ("DT_64", DataType::LongDateAndTime)];
+
 impl Kind {
     /// The kind of a data type: bits without a sign or name of their own are bits.
     pub fn of_type(data_type: &DataType) -> Self {
         match data_type.base() {
             _ if data_type.is_enumeration() || data_type.stands_in_bytes() || names_a_number(data_type) => Self::Typed(data_type.clone()),
+            // LDATE and LDT where DATE and DT have 64 bits as well.
+            _ if data_type.counts_nanoseconds() => Self::Typed(data_type.clone()),
             DataType::Bool => Self::Bit,
             DataType::Byte => Self::Bits(8),
             DataType::Word => Self::Bits(16),
@@ -116,6 +121,8 @@ impl Kind {
             Self::Bits(16) => "WORD".to_owned(),
             Self::Bits(32) => "DWORD".to_owned(),
             Self::Bits(64) => "LWORD".to_owned(),
+            Self::Typed(DataType::LongDate) => "DATE".to_owned(),
+            Self::Typed(DataType::LongDateAndTime) => "DATE_AND_TIME".to_owned(),
             Self::Typed(data_type) => data_type.to_string(),
             _ => return None,
         })
@@ -128,7 +135,11 @@ impl Kind {
             Self::Bits(width) => format!("bits {width}"),
             Self::Number => "number".to_owned(),
             Self::TimeLeft => "timer".to_owned(),
-            Self::Typed(data_type) => format!("type {}", data_type.word().unwrap_or("WORD")),
+            Self::Typed(data_type) => {
+                // DATE and DT of 64 bits are not what LDATE and LDT are.
+                let short = SHORT_DATES.iter().find(|(_, of)| of == data_type).map(|&(word, _)| word);
+                format!("type {}", short.or(data_type.word()).or(data_type.base().word()).unwrap_or("WORD"))
+            }
             Self::Status => "status".to_owned(),
             Self::Formatted(format, of) => format!("format {format} {}", of.word()),
             Self::Bytes(_) | Self::Text => "text".to_owned(),
@@ -151,7 +162,13 @@ impl Kind {
                     let of = Self::from_word(of).filter(|of| !matches!(of, Self::Formatted(..)))?;
                     Format::from_name(format).map(|format| Self::Formatted(format, Box::new(of)))
                 }
-                ("type", word) => DataType::from_any_word(word).filter(|data_type| matches!(data_type.bits(), 1..=64)).map(Self::Typed),
+                ("type", word) if SHORT_DATES.iter().any(|(short, _)| *short == word) => {
+                    SHORT_DATES.iter().find(|(short, _)| *short == word).map(|(_, data_type)| Self::Typed(data_type.clone()))
+                }
+                ("type", word) => DataType::from_any_word(word)
+                    .map(|data_type| data_type.of_nanoseconds(word))
+                    .filter(|data_type| matches!(data_type.bits(), 1..=64))
+                    .map(Self::Typed),
                 _ => None,
             },
         }
@@ -250,7 +267,8 @@ impl Kind {
             Self::Typed(DataType::Real) => Some(f64::from(f32::from_bits(bits as u32))).filter(|number| number.is_finite()),
             Self::Typed(DataType::LongReal) => Some(f64::from_bits(bits)).filter(|number| number.is_finite()),
             Self::TimeLeft | Self::Typed(DataType::S5Time) => literal::s5time_milliseconds(bits as u16).map(|ms| ms as f64),
-            Self::Typed(DataType::Char | DataType::WideChar | DataType::DateAndTime | DataType::LongDateAndTime) => None,
+            Self::Typed(DataType::Char | DataType::WideChar | DataType::DateAndTime) => None,
+            Self::Typed(data_type) if *data_type.base() == DataType::LongDateAndTime => None,
             Self::Typed(_) if self.is_signed() => Some(self.signed(bits) as f64),
             Self::Typed(DataType::LongWord) => None,
             Self::Typed(_) => Some(bits as f64),
@@ -294,6 +312,9 @@ impl Kind {
         match (self, content) {
             (Self::Formatted(format, of), content) => Shown::Formatted(Box::new(format.show(of, content))),
             (Self::Typed(data_type @ DataType::WideString(_)), Content::Bytes(bytes)) => Shown::Wide(text_of(bytes, data_type)),
+            (Self::Typed(data_type @ DataType::Pointer), Content::Bytes(bytes)) => {
+                Shown::Twofold { plain: text_of(bytes, data_type), readable: Format::Pointer.show(self, content).text }
+            }
             (Self::Typed(data_type), Content::Bytes(bytes)) => Shown::Text(text_of(bytes, data_type)),
             (_, Content::Bytes(bytes)) => Shown::Text(shown::hex_of(bytes)),
             (Self::Typed(data_type), Content::Bits(bits)) => match number_letters(data_type) {
@@ -326,4 +347,32 @@ fn number_letters(data_type: &DataType) -> Option<&'static str> {
 /// Whether a parameter of the type holds the number of a timer, counter or block.
 pub(crate) fn names_a_number(data_type: &DataType) -> bool {
     number_letters(data_type).is_some()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn dates_of_64_bits_are_kept_and_shown_as_their_sources_call_them() {
+        let bits = 19_782 * 86_400_000_000_000;
+        for (data_type, word, plain, readable) in [
+            (DataType::LongDate, "DATE", "LD#2024-02-29", "D#2024-02-29"),
+            (DataType::LongDate.of_nanoseconds("LDATE"), "LDATE", "LD#2024-02-29", "LD#2024-02-29"),
+            (DataType::LongDateAndTime, "DATE_AND_TIME", "LDT#2024-02-29-00:00:00.000000000", "DT#2024-02-29-00:00:00.000000000"),
+            (
+                DataType::LongDateAndTime.of_nanoseconds("LDT"),
+                "LDT",
+                "LDT#2024-02-29-00:00:00.000000000",
+                "LDT#2024-02-29-00:00:00.000000000",
+            ),
+        ] {
+            let kind = Kind::of_type(&data_type);
+            let shown = kind.show(&Content::Bits(bits));
+            assert_eq!((shown.to_string().as_str(), shown.readable().as_str()), (plain, readable), "{data_type}");
+            assert_eq!(kind.type_word().as_deref(), Some(word));
+            // What a recording says of it is the same kind again.
+            assert_eq!(Kind::from_word(&kind.word()), Some(kind), "{data_type}");
+        }
+    }
 }

@@ -38,15 +38,22 @@ pub struct NameError {
     message: String,
     /// What is wrong with the format that is asked for, if that is it.
     format: Option<FormatError>,
+    /// A constant was to be set.
+    is_of_constant: bool,
 }
 
 impl NameError {
     pub(crate) fn new(message: impl Into<String>) -> Self {
-        Self { message: message.into(), format: None }
+        Self { message: message.into(), format: None, is_of_constant: false }
     }
 
     fn of_format(name: &str, error: FormatError) -> Self {
-        Self { message: error.of(name), format: Some(error) }
+        Self { message: error.of(name), format: Some(error), is_of_constant: false }
+    }
+
+    /// Whether it says that a constant cannot be set.
+    pub fn is_of_constant(&self) -> bool {
+        self.is_of_constant
     }
 
     /// What is wrong with the format that is asked for; `None` if the name is wrong.
@@ -357,6 +364,10 @@ impl Name {
                 format!("cannot {verb} `{text}`: the CPU has timers T 0 to T {}", cpu_type.timers.saturating_sub(1))
             }
             (Place::TimerStatus(_), AccessError::ReadOnly) => format!("`{text}` can only be read; set `T n` to an S5TIME instead"),
+            (Place::Constant(_), AccessError::ReadOnly) => {
+                let message = format!("`{text}` is a constant: the statements have its value in them");
+                return NameError { is_of_constant: true, ..NameError::new(message) };
+            }
             (Place::Register(_), AccessError::ReadOnly) => format!("`{text}` can only be read; open a data block with `OPN`"),
             (Place::Local(_), AccessError::ReadOnly) => format!("`{text}` is given by the caller and cannot be set"),
             _ => format!("cannot {verb} `{text}`: {error}"),
@@ -367,7 +378,25 @@ impl Name {
 
 /// The item that a user means by a name.
 fn item(text: &str, scope: Option<Scope>, symbols: &SymbolTable, program: &Program) -> Result<Item, NameError> {
-    if let Some(local) = parsing::local(text, scope, symbols, program)? {
+    meant(text, scope, symbols, program).map(|item| in_calendar(item, program))
+}
+
+/// A date or a moment of 64 bits as the sources call it: LDATE and LDT are types of their own where DATE and DT have as many bits.
+fn in_calendar(item: Item, program: &Program) -> Item {
+    match &item.kind {
+        Kind::Typed(data_type @ (DataType::LongDate | DataType::LongDateAndTime)) if !program.names.short_dates => {
+            Item { kind: Kind::Typed(data_type.clone().of_nanoseconds("L")), ..item }
+        }
+        _ => item,
+    }
+}
+
+fn meant(text: &str, scope: Option<Scope>, symbols: &SymbolTable, program: &Program) -> Result<Item, NameError> {
+    let local = match parsing::local(text, scope, symbols, program) {
+        Ok(local) => local,
+        Err(error) => return constant(text, scope, program).ok_or(error),
+    };
+    if let Some(local) = local {
         single(&local.data_type, text)?;
         return Ok(Item::local(local));
     }
@@ -377,8 +406,16 @@ fn item(text: &str, scope: Option<Scope>, symbols: &SymbolTable, program: &Progr
     let item = if text.starts_with('"') { None } else { absolute(text)? };
     match item {
         Some(item) => Ok(item),
-        None => symbolic(text, symbols, program),
+        None => symbolic(text, symbols, program).or_else(|error| constant(text, scope, program).ok_or(error)),
     }
+}
+
+/// A constant of the source; those of the block that the scope names go before others.
+fn constant(text: &str, scope: Option<Scope>, program: &Program) -> Option<Item> {
+    let name = text.trim_start_matches('#').to_lowercase();
+    let of = |block: Option<BlockId>| program.names.constants.get(&(block, name.clone()));
+    let found = scope.and_then(|scope| of(Some(scope.block))).or_else(|| of(None))?;
+    Some(Item::constant(&found.data_type, found.content.clone()))
 }
 
 /// A type whose values are single ones.

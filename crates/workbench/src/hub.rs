@@ -289,7 +289,7 @@ impl Hub {
             scan: plant.scans,
             time_us: cpu.time_us(),
             mode: mode_word(cpu.mode()),
-            oldest: self.desk.past.extent().map_or(plant.scans, |(first, _)| first.scan.min(plant.scans)),
+            oldest: self.desk.past().range().map_or(plant.scans, |(first, _)| first.scan.min(plant.scans)),
             newest: plant.scans,
             newest_us: cpu.time_us(),
             paused: plant.pace.is_paused(),

@@ -4,8 +4,8 @@ use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
 use serde_json::{Value as Json, json};
-use sieben_cpu::{Cpu, Replayer, Station};
-use sieben_engine::{Machine, StatementEvent, Tracer};
+use sieben_cpu::Station;
+use sieben_engine::{FaultPlace, Machine, StatementEvent, Stored, Tracer};
 use sieben_lang::reason::Language;
 use sieben_model::block::BlockId;
 use sieben_model::item::Item;
@@ -16,11 +16,10 @@ use sieben_sim::timing_diagram::Options;
 use sieben_sim::timing_diagram::svg;
 use sieben_sim::trace::{CHANNELS_MAX, Keep, Memory, Origin, Recorder, TraceError, csv, vcd};
 use sieben_workspace::Refusal;
-use sieben_workspace::past::{Goes, LastWriter, NotKept, Visited, Visitor, Writer};
+use sieben_workspace::past::{Gone, Seen, Viewer};
 use sieben_workspace::status::{Sample, StatementStatus};
 
 use crate::hub::{Hub, item_of, reasons_of, see};
-use crate::live::content::Content;
 use crate::live::message::{Common, History, Who};
 use crate::live::program::Known;
 use crate::live::shot::{Head, Shot};
@@ -33,13 +32,12 @@ const POINTS_MAX: usize = 10_000;
 /// Scans that are looked through at a time for who wrote a value, from the newest on.
 const WRITERS_STEP: u64 = 500;
 
-fn not_kept(error: NotKept) -> Refusal {
+fn not_kept(error: Gone) -> Refusal {
     Refusal::new(Problem::P7139, error.to_string())
 }
 
 /// What the statements of some blocks did in one scan.
 struct Statements<'h> {
-    hub: &'h Hub,
     wanted: &'h Wanted,
     program: &'h Known,
     statements: BTreeMap<(BlockId, u32), StatementStatus>,
@@ -63,57 +61,28 @@ impl Tracer for Statements<'_> {
     }
 }
 
-/// What was seen at the end of a scan.
-type End = (Visited, HashMap<String, Json>, Option<Content>, &'static str);
-
-/// One scan of the past.
-struct OneScan<'h> {
-    statements: Statements<'h>,
-    items: &'h [(String, Option<Item>)],
-    end: Option<End>,
-}
-
-impl Visitor for OneScan<'_> {
-    fn tracer(&mut self) -> &mut dyn Tracer {
-        &mut self.statements
-    }
-
-    fn ended(&mut self, cpu: &Cpu, visited: Visited) -> Goes {
-        let (tags, plant) = see(cpu, self.items, self.statements.wanted);
-        self.end = Some((visited, tags, plant, crate::hub::mode_word(cpu.mode())));
-        Goes::No
-    }
-}
-
 /// A scan of the past with all that a page wants of it; how the run goes is that of now.
 ///
 /// # Errors
 /// It is not kept.
-pub(crate) fn shot(hub: &Hub, replayer: &mut Replayer, scan: u64, wanted: &Wanted) -> Result<Shot, Refusal> {
+pub(crate) fn shot(hub: &Hub, viewer: &mut Viewer, scan: u64, wanted: &Wanted) -> Result<Shot, Refusal> {
     let program = hub.program();
     let items: Vec<(String, Option<Item>)> = wanted.names.iter().map(|name| (name.clone(), item_of(name, &program))).collect();
-    let statements = Statements { hub, wanted, program: &program, statements: BTreeMap::new(), reasons: HashMap::new() };
-    let mut one = OneScan { statements, items: &items, end: None };
-    hub.desk.past.visit(scan, scan, replayer, &mut one).map_err(not_kept)?;
-    let OneScan { statements: Statements { hub, statements, reasons, .. }, end, .. } = one;
-    let (visited, tags, plant, mode) = end.ok_or_else(|| not_kept(NotKept::Outside))?;
+    let mut told = Statements { wanted, program: &program, statements: BTreeMap::new(), reasons: HashMap::new() };
+    let Seen { mark, cpu } = viewer.traced(hub.desk.past(), scan, &mut told).map_err(not_kept)?;
+    let (tags, plant) = see(cpu, &items, wanted);
+    let mode = crate::hub::mode_word(cpu.mode());
+    let Statements { statements, reasons, .. } = told;
     let newest = hub.looks().borrow().as_ref().map(|shot| (shot.head.clone(), shot.common.clone()));
     let (now, mut common) = newest.unwrap_or_default();
     if let Some(plant) = plant {
         common.insert(Common::Plant, plant);
     }
     let blocks = wanted.blocks.iter().copied().collect();
-    let sample = Sample { scan: visited.scan, time_us: visited.time_us, same: true, blocks, statements };
+    let sample = Sample { scan: mark.scan, time_us: mark.time_us, same: true, blocks, statements };
     let flows = hub.flows(wanted, &program, Some(&sample), None);
-    let head = Head { scan: visited.scan, time_us: visited.time_us, mode, same: true, why: None, ..now };
+    let head = Head { scan: mark.scan, time_us: mark.time_us, mode, same: true, why: None, ..now };
     Ok(Shot { head, program, sample: Some(Arc::new(sample)), reasons, flows, tags, common })
-}
-
-/// Hears nothing.
-struct Deaf;
-
-impl Tracer for Deaf {
-    fn statement(&mut self, _: &Machine, _: &StatementEvent) {}
 }
 
 /// A value as a number for a diagram.
@@ -133,27 +102,21 @@ struct Changes<'n> {
     last: Vec<Option<f64>>,
     points: Vec<Vec<(u64, f64)>>,
     seen: Option<(u64, u64)>,
-    deaf: Deaf,
 }
 
-impl Visitor for Changes<'_> {
-    fn tracer(&mut self) -> &mut dyn Tracer {
-        &mut self.deaf
-    }
-
-    fn ended(&mut self, cpu: &Cpu, visited: Visited) -> Goes {
-        let first = self.seen.map_or(visited.scan, |(first, _)| first);
-        self.seen = Some((first, visited.scan));
+impl Changes<'_> {
+    fn look(&mut self, Seen { mark, cpu }: &Seen<'_>) {
+        let first = self.seen.map_or(mark.scan, |(first, _)| first);
+        self.seen = Some((first, mark.scan));
         for ((item, last), points) in self.items.iter().zip(&mut self.last).zip(&mut self.points) {
             let Some(item) = item else { continue };
             let value = cpu.read_items(std::slice::from_ref(item)).into_iter().next().and_then(Result::ok);
             let now = value.as_ref().and_then(number);
             if let Some(number) = now.filter(|_| now != *last) {
-                points.push((visited.scan, number));
+                points.push((mark.scan, number));
             }
             *last = now;
         }
-        Goes::On
     }
 }
 
@@ -183,14 +146,17 @@ fn thinned(points: Vec<(u64, f64)>, most: usize) -> Vec<(u64, f64)> {
 ///
 /// # Errors
 /// None of the scans is kept.
-pub(crate) fn history(hub: &Hub, replayer: &mut Replayer, asked: &History) -> Result<Json, Refusal> {
+pub(crate) fn history(hub: &Hub, viewer: &mut Viewer, asked: &History) -> Result<Json, Refusal> {
     let program = hub.program();
     let items: Vec<Option<Item>> = asked.channels.iter().map(|name| item_of(name, &program)).collect();
     // Of a long time the end is wanted most.
     let from = asked.from.max(asked.to.saturating_sub(SCANS_MAX - 1));
-    let mut changes =
-        Changes { items: &items, last: vec![None; items.len()], points: vec![Vec::new(); items.len()], seen: None, deaf: Deaf };
-    hub.desk.past.visit(from, asked.to, replayer, &mut changes).map_err(not_kept)?;
+    let mut changes = Changes { items: &items, last: vec![None; items.len()], points: vec![Vec::new(); items.len()], seen: None };
+    let look = |seen: Seen<'_>| {
+        changes.look(&seen);
+        true
+    };
+    viewer.each(hub.desk.past(), (from, asked.to), look).map_err(not_kept)?;
     let (first, last) = changes.seen.unwrap_or((asked.to, asked.to));
     let most = if asked.points == 0 { POINTS_MAX } else { asked.points.min(POINTS_MAX) };
     let points = changes
@@ -201,32 +167,54 @@ pub(crate) fn history(hub: &Hub, replayer: &mut Replayer, asked: &History) -> Re
     Ok(json!({ "t": "history", "id": asked.id, "from": first, "to": last, "channels": channels }))
 }
 
+/// Finds the last statement of a scan that stored to a name.
+struct Writer<'n> {
+    name: &'n Name,
+    /// What stores is told before the statement has ended.
+    is_pending: bool,
+    place: Option<FaultPlace>,
+}
+
+impl Tracer for Writer<'_> {
+    fn statement(&mut self, _: &Machine, event: &StatementEvent) {
+        if std::mem::take(&mut self.is_pending) {
+            self.place = Some(event.place);
+        }
+    }
+
+    fn stores(&mut self, machine: &Machine, stored: Stored) {
+        self.is_pending |= self.name.is_stored(machine, &machine.registers, &stored);
+    }
+}
+
 /// Who wrote a value last, up to a scan.
 ///
 /// # Errors
 /// The name means nothing, or the scan is not kept.
-pub(crate) fn who(hub: &Hub, replayer: &mut Replayer, asked: &Who, language: Language) -> Result<Json, Refusal> {
+pub(crate) fn who(hub: &Hub, viewer: &mut Viewer, asked: &Who, language: Language) -> Result<Json, Refusal> {
     let program = hub.program();
     let facts = &program.facts;
     let name = Name::parse(&asked.name, &facts.symbols, &facts.program).map_err(|error| sieben_workspace::names::refused(&error))?;
-    let (oldest, newest) = hub.desk.past.extent().ok_or_else(|| not_kept(NotKept::Outside))?;
+    let (oldest, newest) = hub.desk.past().range().ok_or_else(|| not_kept(Gone::NotKept))?;
     let mut to = asked.scan.min(newest.scan);
     if to < oldest.scan {
-        return Err(not_kept(NotKept::Outside));
+        return Err(not_kept(Gone::NotKept));
     }
     let least = to.saturating_sub(SCANS_MAX).max(oldest.scan);
-    let mut found: Option<Writer> = None;
+    let mut found: Option<(FaultPlace, u64)> = None;
     while found.is_none() && to >= least {
         let from = to.saturating_sub(WRITERS_STEP - 1).max(least);
-        let mut writer = LastWriter::of(&name);
-        hub.desk.past.visit(from, to, replayer, &mut writer).map_err(not_kept)?;
-        found = writer.found;
+        for scan in from..=to {
+            let mut writer = Writer { name: &name, is_pending: false, place: None };
+            viewer.traced(hub.desk.past(), scan, &mut writer).map_err(not_kept)?;
+            found = writer.place.map(|place| (place, scan)).or(found);
+        }
         match from.checked_sub(1) {
             Some(before) => to = before,
             None => break,
         }
     }
-    let Some(Writer { place, scan }) = found else {
+    let Some((place, scan)) = found else {
         let text = match language {
             Language::English => format!("No statement has written {} since scan {least}.", asked.name),
             Language::German => format!("Seit Zyklus {least} hat keine Anweisung {} geschrieben.", asked.name),
@@ -269,29 +257,6 @@ impl Written {
 /// Bytes that a trace takes in memory at most.
 const TRACE_BYTES_MAX: usize = 16 * 1024 * 1024;
 
-/// Records scans of the past.
-struct Recording {
-    recorder: Recorder,
-    failed: Option<TraceError>,
-    deaf: Deaf,
-}
-
-impl Visitor for Recording {
-    fn tracer(&mut self) -> &mut dyn Tracer {
-        &mut self.deaf
-    }
-
-    fn ended(&mut self, cpu: &Cpu, visited: Visited) -> Goes {
-        match self.recorder.scan(cpu, visited.scan, visited.time_us) {
-            Ok(()) => Goes::On,
-            Err(error) => {
-                self.failed = Some(error);
-                Goes::No
-            }
-        }
-    }
-}
-
 /// A trace of scans of the past, written as `sieben trace` writes it.
 ///
 /// # Errors
@@ -308,13 +273,21 @@ pub(crate) fn trace(hub: &Hub, (from, to): (u64, u64), channels: &str, written: 
     let from = from.max(to.saturating_sub(SCANS_MAX - 1));
     let failed = |error: TraceError| Refusal::new(Problem::P7130, error.to_string());
     let origin = Origin { title: facts.project.clone().unwrap_or_default(), ..Origin::default() };
-    let recorder = Recorder::new(meant, Keep::All, origin, Box::new(Memory::new(TRACE_BYTES_MAX))).map_err(failed)?;
-    let mut recording = Recording { recorder, failed: None, deaf: Deaf };
-    hub.desk.past.visit(from, to, &mut Replayer::default(), &mut recording).map_err(not_kept)?;
-    if let Some(error) = recording.failed {
+    let mut recorder = Recorder::new(meant, Keep::All, origin, Box::new(Memory::new(TRACE_BYTES_MAX))).map_err(failed)?;
+    let (mut wrong, mut count) = (None, 0_u64);
+    let look = |Seen { mark, cpu }: Seen<'_>| {
+        count += 1;
+        wrong = recorder.scan(cpu, mark.scan, mark.time_us).err();
+        wrong.is_none()
+    };
+    Viewer::default().each(hub.desk.past(), (from, to), look).map_err(not_kept)?;
+    if let Some(error) = wrong {
         return Err(failed(error));
     }
-    let trace = recording.recorder.finish().map_err(failed)?;
+    if count == 0 {
+        return Err(not_kept(Gone::NotKept));
+    }
+    let trace = recorder.finish().map_err(failed)?;
     let mut text = String::new();
     match written {
         Written::Csv => csv::write(&trace, &trace.all(), csv::Rows::All, &mut text).map_err(failed)?,

@@ -78,7 +78,7 @@ impl Page {
         listener.set_nonblocking(true)?;
         let reference: Arc<dyn Reference> = Arc::from(reference);
         let hub = Arc::new(Hub::new(gate, desk, facts, Arc::clone(&reference)));
-        hub.desk.past.switch_on();
+        hub.desk.past().keep();
         hub.desk.set_onlooker(Arc::clone(&hub) as Arc<dyn sieben_workspace::status::Onlooker>);
         let shared = Arc::new(Shared { hub: Arc::clone(&hub), access, reference, metrics, limits: Limits::default() });
         let runtime = tokio::runtime::Builder::new_current_thread().enable_all().max_blocking_threads(WAITING_THREADS_MAX).build()?;

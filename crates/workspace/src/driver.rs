@@ -118,6 +118,7 @@ impl<'g> Driver<'g> {
     fn start(&mut self, plant: &mut Plant, restart: Restart) {
         let mut clock = self.clock(&plant.pace);
         plant.cpu.restart_with(restart, &mut clock, None);
+        plant.touch();
         self.surroundings.keep(&mut plant.cpu);
     }
 
@@ -134,13 +135,16 @@ impl<'g> Driver<'g> {
         if let Some((restart, by)) = plant.start.take() {
             let mut clock = self.clock(&plant.pace);
             plant.waits_in_stop = false;
-            plant.touch();
             // A start of a CPU that runs already asks for what is there.
             let _ = plant.cpu.start_with(restart, by, &mut clock, None);
+            plant.touch();
             self.surroundings.keep(&mut plant.cpu);
         }
         self.desk.observed.see_mode(plant);
-        plant.cpu.set_time_source(if plant.pace.is_real() { TimeSource::Real } else { TimeSource::Virtual });
+        let source = if plant.pace.is_real() { TimeSource::Real } else { TimeSource::Virtual };
+        if plant.cpu.set_time_source(source) != source {
+            plant.touch();
+        }
         match (plant.pace.speed(), plant.pace.missed) {
             _ if plant.pace.is_paused() => self.paused(plant),
             (Speed::Max, _) => self.virtual_time(plant),
@@ -237,8 +241,8 @@ impl<'g> Driver<'g> {
         let until = pace.due_us.min(pace.end_us);
         if now_us < until {
             if real && plant.cpu.has_background() {
-                plant.touch();
                 gate.in_background(|| plant.cpu.background_with(until, &mut clock));
+                plant.touch();
                 self.surroundings.keep(&mut plant.cpu);
                 return if gate.is_wanted() { Next::Open } else { Next::Again(0) };
             }
@@ -252,9 +256,8 @@ impl<'g> Driver<'g> {
         if interrupts || now_us < until {
             // What it writes to the process image goes out with the outputs of the last scan.
             let woken_us = now_us;
-            plant.touch();
             let mut still = || woken_us;
-            plant.cpu.serve_with(if real { &mut clock } else { &mut still }, None);
+            self.desk.serve(plant, if real { &mut clock } else { &mut still });
             self.surroundings.keep(&mut plant.cpu);
         }
         if now_us < until {

@@ -44,8 +44,8 @@ pub struct Plant {
     pub(crate) waits_in_stop: bool,
     /// Whether it does so after every STOP, whatever caused it.
     pub(crate) stays_in_stop: bool,
-    /// Something else than a scan may have changed the CPU since the last scan.
-    touched: bool,
+    /// Whether something was changed since the last step of the CPU.
+    pub(crate) touched: bool,
 }
 
 impl Plant {
@@ -59,7 +59,7 @@ impl Plant {
             start: None,
             waits_in_stop: false,
             stays_in_stop: false,
-            touched: true,
+            touched: false,
         }
     }
 
@@ -74,19 +74,14 @@ impl Plant {
         self.start = Some((restart, by));
     }
 
-    /// Something else than a scan changes the CPU: the next scan is one that the past begins with.
-    pub fn touch(&mut self) {
-        self.touched = true;
-    }
-
-    /// Whether something has, since this was asked last.
-    pub(crate) fn take_touch(&mut self) -> bool {
-        std::mem::take(&mut self.touched)
-    }
-
     /// From now on no STOP ends the run: there are others who start the CPU again.
     pub fn stay_in_stop(&mut self) {
         self.stays_in_stop = true;
+    }
+
+    /// Says that something was changed that the CPU did not do itself: its past is kept from there anew.
+    pub fn touch(&mut self) {
+        self.touched = true;
     }
 
     /// Whether a start that was asked for is still to come.
@@ -216,26 +211,30 @@ impl Gate {
         (self.clock)()
     }
 
-    /// Comes in between two scans. The work has to be short: [`PORTION_US`], or [`PORTION_JOBS`] jobs.
+    /// Comes in between two scans to change something. The work has to be short: [`PORTION_US`], or [`PORTION_JOBS`] jobs.
     ///
     /// # Errors
     /// The run is over.
     pub fn enter<R>(&self, work: impl FnOnce(&mut Plant) -> R) -> Result<R, Closed> {
-        self.pass(|plant| {
+        self.serve(|plant| {
             plant.touch();
             work(plant)
         })
     }
 
-    /// As [`Self::enter`], to look only.
+    /// As [`Self::enter`], only to look.
     ///
     /// # Errors
     /// The run is over.
-    pub fn look<R>(&self, work: impl FnOnce(&Plant) -> R) -> Result<R, Closed> {
-        self.pass(|plant| work(plant))
+    pub fn look<R>(&self, look: impl FnOnce(&Plant) -> R) -> Result<R, Closed> {
+        self.serve(|plant| look(plant))
     }
 
-    fn pass<R>(&self, work: impl FnOnce(&mut Plant) -> R) -> Result<R, Closed> {
+    /// As [`Self::enter`], for work that only changes something now and then and says so ([`Plant::touch`]).
+    ///
+    /// # Errors
+    /// The run is over.
+    pub fn serve<R>(&self, work: impl FnOnce(&mut Plant) -> R) -> Result<R, Closed> {
         let _waiting = Counted::at(&self.waiting);
         let _first = lock(&self.queue);
         if self.background.load(Ordering::Acquire) {
@@ -256,19 +255,15 @@ impl Gate {
         Ok(done)
     }
 
-    /// Comes in as often as the jobs take, a portion at a time.
+    /// Comes in to look as often as the jobs take, a portion at a time.
     ///
     /// # Errors
     /// The run is over; what was done until then is lost.
-    pub fn enter_for_each<J, R>(
-        &self,
-        jobs: impl IntoIterator<Item = J>,
-        mut work: impl FnMut(&mut Plant, J) -> R,
-    ) -> Result<Vec<R>, Closed> {
+    pub fn look_for_each<J, R>(&self, jobs: impl IntoIterator<Item = J>, mut work: impl FnMut(&Plant, J) -> R) -> Result<Vec<R>, Closed> {
         let mut jobs = jobs.into_iter().peekable();
         let mut done = Vec::new();
         while jobs.peek().is_some() {
-            self.enter(|plant| {
+            self.look(|plant| {
                 let end = self.now_us().saturating_add(PORTION_US);
                 for job in jobs.by_ref().take(PORTION_JOBS) {
                     done.push(work(plant, job));

@@ -49,7 +49,7 @@ const MODES: [(&str, OperatingMode); 4] =
 /// # Errors
 /// The run is over.
 pub fn text(gate: &Gate, servers: &[Served]) -> Result<String, Closed> {
-    let cpu = gate.enter(|plant| {
+    let cpu = gate.look(|plant| {
         let cycle = plant.cpu.cycle_times();
         OfCpu {
             mode: plant.cpu.mode(),

@@ -67,6 +67,7 @@ pub fn resolve(name: &str, symbols: &SymbolTable, cpu: &Cpu) -> Result<Name, Ref
 /// Why a name is of no use, by what is wrong with it: the name, or the format that it is to be shown in.
 pub fn refused(error: &NameError) -> Refusal {
     match error.format() {
+        None if error.is_of_constant() => Refusal::new(Problem::P7113, error.to_string()),
         None => Refusal::new(Problem::P7003, error.to_string()),
         Some(format @ FormatError::Unknown(word)) => {
             let near = nearest(word, ROWS.iter().map(|row| row.name));
@@ -113,13 +114,18 @@ pub fn apply(setting: &Setting, cpu: &mut Cpu) -> Result<(), Refusal> {
 }
 
 fn unfit(text: &str, error: &NameError) -> Refusal {
-    let refusal = Refusal::new(Problem::P7004, format!("`{text}`: {error}"));
+    let refusal = Refusal::new(problem_of_value(error), format!("`{text}`: {error}"));
     let status = text.split('=').next().is_some_and(|name| name.trim().eq_ignore_ascii_case("STW"));
     if status {
         refusal.help("write nine characters 0 or 1 in the order BR CC1 CC0 OV OS OR STA RLO /FC: `STW=000000110`")
     } else {
         refusal
     }
+}
+
+/// Which problem it is that something cannot be set.
+pub fn problem_of_value(error: &NameError) -> Problem {
+    if error.is_of_constant() { Problem::P7113 } else { Problem::P7004 }
 }
 
 /// The value of a name as people read it; data blocks can disappear while a program runs.

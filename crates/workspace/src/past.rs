@@ -1,342 +1,272 @@
-//! The past of a run: what came in while its last scans ran, so that any of them can be run again and looked at.
+//! The past of a run: any scan of the last minutes once more, statement by statement, while the run goes on.
 //!
-//! A scan is noted by what its clock showed and by what modules said that cannot be copied. Now and then, and whenever something else than
-//! scans has changed the CPU, one is recorded whole; from there those after it are run again, in the interpreter, by other threads.
+//! A run is a row of stretches. Each begins with a snapshot of the CPU; what follows is what the clock showed and what modules said that
+//! cannot be copied, a few bytes a scan. Whatever comes in through the gate to change something begins a new stretch, so that nothing of it has to be known.
+//! A scan is reached by replaying its stretch in the interpreter, on the thread of whoever looks.
 
 use std::collections::VecDeque;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use sieben_cpu::{Cpu, Modules, NotReplayed, NotedScan, OperatingMode, RecordedScan, Replayer};
-use sieben_engine::{Machine, Program, StatementEvent, Stored, Tracer};
+use sieben_cpu::{Cpu, NotReplayed, OperatingMode, Recording, Replayer, Step};
+use sieben_engine::Tracer;
 
 use crate::gate::Plant;
 
-/// For how long the past is kept, in microseconds of the CPU's time.
-pub const KEPT_US_MAX: u64 = 600_000_000;
-/// Bytes that it takes at most.
-pub const KEPT_BYTES_MAX: usize = 64 * 1024 * 1024;
-/// Scans between two that are recorded whole: so many are run again at most to see one.
-const APART: u64 = 100;
+/// How far back the past goes, in microseconds of the CPU's time.
+pub const TIME_US_MAX: u64 = 600_000_000;
+/// Most memory that it takes, by its own estimate.
+pub const BYTES_MAX: usize = 64 << 20;
+/// Most steps of a stretch: so many are replayed at most to come to a scan.
+const STEPS_MAX: usize = 100;
+/// Longest stretch, in microseconds of the CPU's time.
+const STRETCH_US: u64 = 1_000_000;
 
-/// A scan of the past.
-enum Kept {
-    /// It is run again after the one before it.
-    Noted(NotedScan),
-    /// It is run again by itself; with the bytes that it takes.
-    Whole(SharedScan, usize),
-}
-
-/// A recorded scan that several threads run again, one after another: copies of modules stay with one thread at a time.
-pub(crate) type SharedScan = Arc<Mutex<RecordedScan>>;
-
-impl Kept {
-    fn bytes(&self) -> usize {
-        size_of::<Entry>()
-            + match self {
-                Self::Noted(scan) => scan.bytes(),
-                Self::Whole(_, bytes) => *bytes,
-            }
-    }
-}
-
-struct Entry {
-    /// The number of the scan in the run.
-    number: u64,
-    /// The time of the CPU after it.
-    time_us: u64,
-    kept: Arc<Kept>,
-}
-
-#[derive(Default)]
-struct Ring {
-    entries: VecDeque<Entry>,
-    bytes: usize,
-}
-
-impl Ring {
-    fn push(&mut self, entry: Entry) {
-        self.bytes += entry.kept.bytes();
-        let oldest_us = entry.time_us.saturating_sub(KEPT_US_MAX);
-        self.entries.push_back(entry);
-        while self.bytes > KEPT_BYTES_MAX || self.entries.front().is_some_and(|first| first.time_us < oldest_us) {
-            self.forget_first();
-            if self.entries.is_empty() {
-                break;
-            }
-        }
-    }
-
-    /// Forgets the oldest scan that is kept whole, and all that need it.
-    fn forget_first(&mut self) {
-        let mut is_first = true;
-        while let Some(entry) = self.entries.front()
-            && (is_first || matches!(*entry.kept, Kept::Noted(_)))
-        {
-            is_first = false;
-            self.bytes = self.bytes.saturating_sub(entry.kept.bytes());
-            self.entries.pop_front();
-        }
-    }
-}
-
-/// What the thread that scans knows of the scan before.
-#[derive(Default)]
-struct Before {
-    program: Option<Arc<Program>>,
-    number: u64,
-    noted: u64,
-    modules: Option<Modules>,
-}
-
-/// How a scan is to be kept.
+/// The end of a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Keep {
-    /// Not at all.
-    Nothing,
-    /// What comes in.
-    Noted(Modules),
-    /// All that it begins with.
-    Whole,
-}
-
-/// The past of a run; nothing is kept until it is switched on.
-#[derive(Default)]
-pub struct Past {
-    is_on: AtomicBool,
-    ring: Mutex<Ring>,
-    before: Mutex<Before>,
-}
-
-/// Why a scan of the past cannot be seen.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum NotKept {
-    /// It is older or newer than what is kept.
-    Outside,
-    /// It cannot be run again.
-    NotReplayed(NotReplayed),
-}
-
-impl std::fmt::Display for NotKept {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::Outside => f.write_str("this scan is not kept"),
-            Self::NotReplayed(error) => error.fmt(f),
-        }
-    }
-}
-
-impl std::error::Error for NotKept {}
-
-/// A scan that was run again.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Visited {
-    /// Its number.
+pub struct Mark {
+    /// Scans of the run up to it.
     pub scan: u64,
-    /// The time of the CPU after it.
+    /// The time of the CPU.
     pub time_us: u64,
 }
 
-/// Does nothing with what it hears.
-struct Deaf;
-
-impl Tracer for Deaf {
-    fn statement(&mut self, _: &Machine, _: &StatementEvent) {}
+/// A part of the past that is replayed from one snapshot on.
+#[derive(Clone, Debug)]
+struct Stretch {
+    /// Before the first step.
+    begins: Mark,
+    recording: Recording,
+    /// After each step.
+    marks: Vec<Mark>,
 }
 
-fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+impl Stretch {
+    fn ends(&self) -> Mark {
+        self.marks.last().copied().unwrap_or(self.begins)
+    }
+
+    /// How many steps lead to the end of a scan, without what came between it and the next one.
+    fn steps_to(&self, scan: u64) -> usize {
+        if scan <= self.begins.scan { 0 } else { (self.marks.partition_point(|mark| mark.scan < scan) + 1).min(self.marks.len()) }
+    }
+
+    /// Where the CPU is after so many steps.
+    fn mark(&self, steps: usize) -> Mark {
+        steps.checked_sub(1).and_then(|last| self.marks.get(last)).copied().unwrap_or(self.begins)
+    }
+}
+
+/// What is kept.
+#[derive(Default)]
+struct Kept {
+    closed: VecDeque<Arc<Stretch>>,
+    open: Option<Stretch>,
+    /// Of the closed ones.
+    bytes: usize,
+}
+
+/// The past of a run. It is kept from [`Self::keep`] on.
+#[derive(Default)]
+pub struct Past {
+    is_kept: AtomicBool,
+    kept: Mutex<Kept>,
+}
+
+/// Why a scan of the past cannot be shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Gone {
+    /// It is not kept any more, or not yet.
+    NotKept,
+    /// It cannot be replayed.
+    NotReplayed(NotReplayed),
+}
+
+impl std::fmt::Display for Gone {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::NotKept => f.write_str("the past does not reach to this scan"),
+            Self::NotReplayed(why) => why.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for Gone {}
+
+impl From<NotReplayed> for Gone {
+    fn from(why: NotReplayed) -> Self {
+        Self::NotReplayed(why)
+    }
+}
+
+/// A CPU at the end of a scan of the past.
+pub struct Seen<'v> {
+    /// Which scan, and when it ended.
+    pub mark: Mark,
+    /// The CPU, in the interpreter.
+    pub cpu: &'v Cpu,
 }
 
 impl Past {
-    /// From now on scans are kept.
-    pub fn switch_on(&self) {
-        self.is_on.store(true, Ordering::Release);
+    /// From now on the past is kept.
+    pub fn keep(&self) {
+        self.is_kept.store(true, Ordering::Relaxed);
     }
 
-    /// From now on none is, and those that were kept are forgotten.
-    pub fn switch_off(&self) {
-        self.is_on.store(false, Ordering::Release);
-        *lock(&self.ring) = Ring::default();
+    /// Forgets it; from now on it is not kept.
+    pub fn forget(&self) {
+        self.is_kept.store(false, Ordering::Relaxed);
+        *self.lock() = Kept::default();
     }
 
-    /// Whether scans are kept.
-    pub fn is_on(&self) -> bool {
-        self.is_on.load(Ordering::Acquire)
-    }
-
-    /// The oldest and the newest scan that are kept, with their times.
-    pub fn extent(&self) -> Option<(Visited, Visited)> {
-        let ring = lock(&self.ring);
-        let visited = |entry: &Entry| Visited { scan: entry.number, time_us: entry.time_us };
-        Some((visited(ring.entries.front()?), visited(ring.entries.back()?)))
-    }
-
-    /// Bytes that are kept; an estimate.
-    pub fn bytes(&self) -> usize {
-        lock(&self.ring).bytes
-    }
-
-    /// How the next scan is kept. One that something came before which is no scan is kept whole.
-    pub(crate) fn next(&self, plant: &mut Plant) -> Keep {
-        let touched = plant.take_touch();
-        if !self.is_on() {
-            return Keep::Nothing;
+    /// Lets a CPU take one step, which is recorded if the past is kept.
+    pub(crate) fn step<R>(
+        &self,
+        plant: &mut Plant,
+        step: Step,
+        clock: &mut dyn FnMut() -> u64,
+        run: impl FnOnce(&mut Plant, &mut dyn FnMut() -> u64) -> R,
+    ) -> R {
+        if !self.is_kept.load(Ordering::Relaxed) {
+            return run(plant, clock);
         }
-        let mut before = lock(&self.before);
-        let same = before.program.as_ref().is_some_and(|program| Arc::ptr_eq(program, plant.cpu.program()));
-        // In STOP time passes for the plants alone, and no scan is counted.
-        let follows = before.number == plant.scans && plant.cpu.mode() == OperatingMode::Run;
-        match before.modules {
-            Some(modules) if same && follows && !touched && before.noted < APART => Keep::Noted(modules),
-            _ => {
-                before.program = Some(Arc::clone(plant.cpu.program()));
-                before.modules = None;
-                Keep::Whole
+        let mut stretch = self.take_open(plant);
+        // The thread that scans counts afterwards.
+        let scan = plant.scans + u64::from(step == Step::Scan && plant.cpu.mode() != OperatingMode::Stop);
+        let done = stretch.recording.step(plant, (|plant: &mut Plant| &mut plant.cpu, step), clock, run);
+        stretch.marks.push(Mark { scan, time_us: plant.cpu.time_us() });
+        if self.is_kept.load(Ordering::Relaxed) {
+            self.lock().open = Some(stretch);
+        }
+        done
+    }
+
+    /// The stretch that goes on, or a new one.
+    fn take_open(&self, plant: &mut Plant) -> Stretch {
+        let touched = std::mem::take(&mut plant.touched);
+        let open = self.lock().open.take();
+        let like = match open {
+            Some(open) if !touched && open.goes_on(plant) => return open,
+            open => open.map(Arc::new),
+        };
+        let recording = Recording::new(&plant.cpu, like.as_ref().map(|like| &like.recording));
+        if let Some(like) = like {
+            self.lock().close(like);
+        }
+        Stretch { begins: Mark { scan: plant.scans, time_us: plant.cpu.time_us() }, recording, marks: Vec::new() }
+    }
+
+    fn lock(&self) -> MutexGuard<'_, Kept> {
+        self.kept.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// The ends of the oldest and of the newest scan that are kept.
+    pub fn range(&self) -> Option<(Mark, Mark)> {
+        let kept = self.lock();
+        let first = kept.closed.front().map(|stretch| &**stretch).or(kept.open.as_ref())?;
+        let last = kept.open.as_ref().or(kept.closed.back().map(|stretch| &**stretch))?;
+        Some((first.begins, last.ends()))
+    }
+
+    /// The memory that it takes, by an estimate.
+    pub fn bytes(&self) -> usize {
+        let kept = self.lock();
+        kept.bytes + kept.open.as_ref().map_or(0, |open| open.recording.bytes())
+    }
+
+    /// The scan that was the last one at a time of the CPU.
+    pub fn scan_at(&self, time_us: u64) -> Option<u64> {
+        let kept = self.lock();
+        let all = kept.closed.iter().map(|stretch| &**stretch).chain(&kept.open);
+        let stretch = all.take_while(|stretch| stretch.begins.time_us <= time_us).last()?;
+        Some(stretch.mark(stretch.marks.partition_point(|mark| mark.time_us <= time_us)).scan)
+    }
+
+    /// The stretch in which a scan ended.
+    fn stretch(&self, scan: u64) -> Option<Arc<Stretch>> {
+        let kept = self.lock();
+        // One that begins with the scan has what was changed after it already; only the very first one has nothing before.
+        let after = kept.closed.partition_point(|stretch| stretch.begins.scan < scan);
+        if let Some(open) = kept.open.as_ref().filter(|open| open.begins.scan < scan || after == 0 && kept.closed.is_empty()) {
+            return (open.begins.scan <= scan && scan <= open.ends().scan).then(|| Arc::new(open.clone()));
+        }
+        let stretch = kept.closed.get(after.saturating_sub(1))?;
+        (stretch.begins.scan <= scan && scan <= stretch.ends().scan).then(|| Arc::clone(stretch))
+    }
+}
+
+impl Stretch {
+    fn goes_on(&self, plant: &Plant) -> bool {
+        self.marks.len() < STEPS_MAX
+            && !self.recording.is_full()
+            && self.recording.is_of(plant.cpu.program())
+            && plant.cpu.time_us().saturating_sub(self.begins.time_us) < STRETCH_US
+    }
+}
+
+impl Kept {
+    fn close(&mut self, stretch: Arc<Stretch>) {
+        self.bytes += stretch.recording.bytes();
+        let now_us = stretch.ends().time_us;
+        self.closed.push_back(stretch);
+        while self.closed.len() > 1
+            && (self.bytes > BYTES_MAX
+                || self.closed.front().is_some_and(|oldest| oldest.ends().time_us.saturating_add(TIME_US_MAX) < now_us))
+        {
+            if let Some(oldest) = self.closed.pop_front() {
+                self.bytes -= oldest.recording.bytes().min(self.bytes);
             }
         }
     }
+}
 
-    /// A scan was noted.
-    pub(crate) fn noted(&self, scan: NotedScan, number: u64, time_us: u64) {
-        let mut before = lock(&self.before);
-        before.number = number;
-        before.noted += 1;
-        drop(before);
-        lock(&self.ring).push(Entry { number, time_us, kept: Arc::new(Kept::Noted(scan)) });
-    }
+/// Who looks at the past; a look at a later scan of the same stretch goes on from the last one.
+#[derive(Default)]
+pub struct Viewer {
+    replayer: Replayer,
+}
 
-    /// A scan was recorded whole.
-    pub(crate) fn whole(&self, scan: &SharedScan, number: u64, time_us: u64) {
-        if !self.is_on() {
-            return;
-        }
-        let (has_modules, bytes) = {
-            let scan = lock(scan);
-            // Where it ended is kept too, with what it shares with the next one.
-            (scan.has_modules(), 2 * scan.bytes())
-        };
-        let mut before = lock(&self.before);
-        before.number = number;
-        before.noted = 0;
-        before.modules = Some(if has_modules { Modules::Copied } else { Modules::Heard });
-        drop(before);
-        let mut ring = lock(&self.ring);
-        // A scan in STOP has the number of the one before: the newest one counts.
-        if ring.entries.back().is_some_and(|last| last.number == number) {
-            let last = ring.entries.pop_back();
-            ring.bytes = ring.bytes.saturating_sub(last.map_or(0, |last| last.kept.bytes()));
-        }
-        ring.push(Entry { number, time_us, kept: Arc::new(Kept::Whole(Arc::clone(scan), bytes)) });
-    }
-
-    /// Runs the scans from one to another again, and those before them that they need; `seen` is told after each of them that is wanted, and its
-    /// tracer hears their statements. The scans that are kept may be fewer.
+impl Viewer {
+    /// The CPU at the end of a scan, before anything that came between it and the next one.
     ///
     /// # Errors
-    /// None of them is kept, or one cannot be run again.
-    pub fn visit(&self, from: u64, to: u64, replayer: &mut Replayer, visitor: &mut dyn Visitor) -> Result<(), NotKept> {
-        let row = self.row(from, to).ok_or(NotKept::Outside)?;
-        for (visited, kept) in row {
-            let is_wanted = (from..=to).contains(&visited.scan);
-            let mut deaf = Deaf;
-            let tracer: &mut dyn Tracer = if is_wanted { visitor.tracer() } else { &mut deaf };
-            match &*kept {
-                Kept::Whole(scan, _) => drop(lock(scan).replay(replayer, tracer).map_err(NotKept::NotReplayed)?),
-                Kept::Noted(scan) => scan.replay(replayer, tracer).map_err(NotKept::NotReplayed)?,
+    /// The scan is not kept, or cannot be replayed.
+    pub fn at(&mut self, past: &Past, scan: u64) -> Result<Seen<'_>, Gone> {
+        self.look(past, scan, None)
+    }
+
+    /// As [`Self::at`], with a tracer that is told each statement of the scan.
+    ///
+    /// # Errors
+    /// The scan is not kept, or cannot be replayed.
+    pub fn traced(&mut self, past: &Past, scan: u64, tracer: &mut dyn Tracer) -> Result<Seen<'_>, Gone> {
+        self.look(past, scan, Some(tracer))
+    }
+
+    fn look(&mut self, past: &Past, scan: u64, tracer: Option<&mut dyn Tracer>) -> Result<Seen<'_>, Gone> {
+        let stretch = past.stretch(scan).ok_or(Gone::NotKept)?;
+        let steps = stretch.steps_to(scan);
+        let cpu = self.replayer.play(&stretch.recording, steps, tracer)?;
+        Ok(Seen { mark: stretch.mark(steps), cpu })
+    }
+
+    /// Looks at the ends of all scans from one to another that are kept, in order; ends when `look` answers `false`.
+    ///
+    /// # Errors
+    /// One of them cannot be replayed.
+    pub fn each(&mut self, past: &Past, (from, to): (u64, u64), mut look: impl FnMut(Seen<'_>) -> bool) -> Result<(), Gone> {
+        let Some((oldest, newest)) = past.range() else { return Ok(()) };
+        let mut scan = from.max(oldest.scan);
+        while scan <= to.min(newest.scan) {
+            let Some(stretch) = past.stretch(scan) else { return Ok(()) };
+            for scan in scan..=to.min(stretch.ends().scan) {
+                let steps = stretch.steps_to(scan);
+                if !look(Seen { mark: stretch.mark(steps), cpu: self.replayer.play(&stretch.recording, steps, None)? }) {
+                    return Ok(());
+                }
             }
-            if let Some(cpu) = replayer.cpu().filter(|_| is_wanted)
-                && visitor.ended(cpu, visited) == Goes::No
-            {
-                return Ok(());
-            }
+            scan = stretch.ends().scan + 1;
         }
         Ok(())
     }
-
-    /// The scans that are run for some, from one that is kept whole.
-    fn row(&self, from: u64, to: u64) -> Option<Vec<(Visited, Arc<Kept>)>> {
-        let ring = lock(&self.ring);
-        let at = |number: u64| ring.entries.partition_point(|entry| entry.number < number);
-        let (first, last) = (at(from), at(to.saturating_add(1)));
-        if first >= last {
-            return None;
-        }
-        let begin = (0..=first).rev().find(|&index| ring.entries.get(index).is_some_and(|entry| matches!(*entry.kept, Kept::Whole(..))))?;
-        let row = ring.entries.range(begin..last);
-        Some(row.map(|entry| (Visited { scan: entry.number, time_us: entry.time_us }, Arc::clone(&entry.kept))).collect())
-    }
 }
-
-/// Whether a visit goes on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Goes {
-    /// To the next scan.
-    On,
-    /// No further.
-    No,
-}
-
-/// Sees scans of the past.
-pub trait Visitor {
-    /// What hears the statements of the next scan.
-    fn tracer(&mut self) -> &mut dyn Tracer;
-    /// A scan has ended, and so the CPU stands.
-    fn ended(&mut self, cpu: &Cpu, visited: Visited) -> Goes;
-}
-
-/// What stored to a place last.
-#[derive(Clone, Debug)]
-pub struct Writer {
-    /// The statement.
-    pub place: sieben_engine::FaultPlace,
-    /// The scan.
-    pub scan: u64,
-}
-
-/// Finds the last statement that stored to a name.
-pub struct LastWriter<'n> {
-    name: &'n sieben_sim::names::Name,
-    /// The statement of this scan that stored.
-    stores: Option<sieben_engine::FaultPlace>,
-    pending: bool,
-    /// The last one of all scans so far.
-    pub found: Option<Writer>,
-}
-
-impl<'n> LastWriter<'n> {
-    /// For this name.
-    pub fn of(name: &'n sieben_sim::names::Name) -> Self {
-        Self { name, stores: None, pending: false, found: None }
-    }
-}
-
-impl Tracer for LastWriter<'_> {
-    fn statement(&mut self, _: &Machine, event: &StatementEvent) {
-        // What stores is told before the statement has ended.
-        if std::mem::take(&mut self.pending) {
-            self.stores = Some(event.place);
-        }
-    }
-
-    fn stores(&mut self, machine: &Machine, stored: Stored) {
-        self.pending |= self.name.is_stored(machine, &machine.registers, &stored);
-    }
-}
-
-impl Visitor for LastWriter<'_> {
-    fn tracer(&mut self) -> &mut dyn Tracer {
-        self
-    }
-
-    fn ended(&mut self, _: &Cpu, visited: Visited) -> Goes {
-        if let Some(place) = self.stores.take() {
-            self.found = Some(Writer { place, scan: visited.scan });
-        }
-        self.pending = false;
-        Goes::On
-    }
-}
-
-#[cfg(test)]
-mod tests;

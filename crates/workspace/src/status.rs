@@ -9,7 +9,7 @@ use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::time::Duration;
 
-use sieben_cpu::{Cpu, EndState, NotReplayed, OperatingMode, Replayer};
+use sieben_cpu::{Cpu, EndState, NotReplayed, OperatingMode, RecordedScan, Replayer, Step};
 use sieben_engine::machine::Registers;
 use sieben_engine::{Machine, StatementEvent, Tracer};
 use sieben_model::block::BlockId;
@@ -18,7 +18,7 @@ use sieben_sim::names::Name;
 
 use crate::gate::Plant;
 use crate::observed::Observed;
-use crate::past::{Keep, Past, SharedScan};
+use crate::past::Past;
 
 /// Least distance of two recorded scans, in microseconds: 20 a second at most.
 pub const DISTANCE_US: u64 = 50_000;
@@ -75,7 +75,7 @@ pub trait Onlooker: Send + Sync {
 
 /// A recording with its place in the run.
 struct Recorded {
-    scan: SharedScan,
+    scan: RecordedScan,
     number: u64,
     time_us: u64,
     /// What the computer's clock showed.
@@ -98,8 +98,6 @@ struct Newest {
 /// Where the status of scans is asked for.
 #[derive(Default)]
 pub struct Desk {
-    /// The scans of before, as far as they are kept.
-    pub past: Past,
     /// Where changes are asked for.
     pub observed: Observed,
     /// Blocks that are looked at for a while.
@@ -122,6 +120,7 @@ pub struct Desk {
     like: Mutex<Option<Arc<EndState>>>,
     newest: Mutex<Newest>,
     sampled: Condvar,
+    past: Past,
     /// Sees each scan that is replayed, if anything does.
     onlooker: OnceLock<Arc<dyn Onlooker>>,
 }
@@ -164,6 +163,11 @@ impl Desk {
         Look { desk: self, blocks }
     }
 
+    /// The past of the run.
+    pub fn past(&self) -> &Past {
+        &self.past
+    }
+
     /// Looks at a block for a while; `written` are the variables that its statements write.
     pub fn keep_looking(&self, block: BlockId, written: Written, real_us: u64) {
         let until_us = real_us.saturating_add(KEPT_US);
@@ -184,6 +188,15 @@ impl Desk {
     /// One scan, recorded if there are onlookers and it is time. `real_us` is what the computer's clock shows. Of the scans that are asked for
     /// while time stands still the last one is always recorded: it is the one that they look at.
     pub(crate) fn scan(&self, plant: &mut Plant, clock: &mut dyn FnMut() -> u64, real_us: u64) {
+        self.past.step(plant, Step::Scan, clock, |plant, clock| self.scan_now(plant, clock, real_us));
+    }
+
+    /// What comes between two scans.
+    pub(crate) fn serve(&self, plant: &mut Plant, clock: &mut dyn FnMut() -> u64) {
+        self.past.step(plant, Step::Serve, clock, |plant, clock| plant.cpu.serve_with(clock, None));
+    }
+
+    fn scan_now(&self, plant: &mut Plant, clock: &mut dyn FnMut() -> u64, real_us: u64) {
         let last = self.last_us.load(Ordering::Relaxed);
         let is_last_step = plant.pace.is_paused() && !plant.pace.has_steps();
         let is_due = last == 0 || is_last_step || real_us.saturating_sub(last) >= DISTANCE_US;
@@ -191,31 +204,17 @@ impl Desk {
         let wanted = looked_at && is_due;
         // The last recording has not been taken for its replay yet: this scan is not needed.
         let free = wanted && self.recorded.try_lock().is_ok_and(|recorded| recorded.is_none());
-        // A CPU in STOP only lets its plants live on.
-        let number = plant.scans + u64::from(plant.cpu.mode() != OperatingMode::Stop);
-        match self.past.next(plant) {
-            _ if free => {}
-            Keep::Whole => {}
-            Keep::Noted(modules) => {
-                let (_, scan) = plant.cpu.scan_noted(clock, modules);
-                self.past.noted(scan, number, plant.cpu.time_us());
-                return;
-            }
-            Keep::Nothing => {
-                plant.cpu.scan_with(clock, None);
-                return;
-            }
-        }
-        let like = lock(&self.like).clone();
-        let (_, scan) = plant.cpu.scan_recorded(clock, like.as_deref());
-        *lock(&self.like) = Some(Arc::clone(scan.after()));
-        let time_us = plant.cpu.time_us();
-        let scan = Arc::new(Mutex::new(scan));
-        self.past.whole(&scan, number, time_us);
         if !free {
+            plant.cpu.scan_with(clock, None);
             return;
         }
         self.last_us.store(real_us.max(1), Ordering::Relaxed);
+        let like = lock(&self.like).clone();
+        // A CPU in STOP only lets its plants live on.
+        let number = plant.scans + u64::from(plant.cpu.mode() != OperatingMode::Stop);
+        let (_, scan) = plant.cpu.scan_recorded(clock, like.as_deref());
+        *lock(&self.like) = Some(Arc::clone(scan.after()));
+        let time_us = plant.cpu.time_us();
         *lock(&self.recorded) = Some(Recorded { scan, number, time_us, real_us });
         self.recordings.fetch_add(1, Ordering::Relaxed);
         self.came.notify_all();
@@ -273,7 +272,7 @@ impl Desk {
         }
         let onlooker = self.onlooker.get().map(AsRef::as_ref);
         let mut collector = Collector { blocks, written, statements: BTreeMap::new(), onlooker };
-        let same = lock(&recorded.scan).replay(replayer, &mut collector)?;
+        let same = recorded.scan.replay(replayer, &mut collector)?;
         let Collector { blocks, statements, .. } = collector;
         Ok(Sample { scan: recorded.number, time_us: recorded.time_us, same, blocks, statements })
     }

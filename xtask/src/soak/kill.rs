@@ -213,6 +213,8 @@ impl Running {
         let child = Command::new(binary)
             .args(["run", ".", "--cycle", "1ms", "--engine", "interpreter"])
             .current_dir(folder)
+            // Its messages are read, which are English so.
+            .env("LC_ALL", "C")
             // Its allocator makes memory readable as it is needed, so that there is little to search.
             .env("MIMALLOC_ARENA_EAGER_COMMIT", "0")
             .stdin(Stdio::null())

@@ -5,6 +5,7 @@ pub mod commands;
 pub mod pages;
 pub mod rooms;
 pub mod sources;
+pub mod tables;
 pub mod words;
 
 use std::fmt;
@@ -52,6 +53,7 @@ pub fn findings() -> Vec<Finding> {
         arrows::check(&files),
         rooms::check(&files),
         sources::check(&files),
+        tables::check(&files),
         words::check(&files),
         pages::check(&root, &files),
         commands::check(&root, &files),

@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
+use sieben_model::language::Language;
 use sieben_model::problems::Problem;
 
 use super::Finding;
@@ -135,6 +136,14 @@ fn problem_pages(files: &[TextFile]) -> Vec<Finding> {
             continue;
         };
         findings.push(Finding::file("crates/model/src/problems.rs", format!("`{code}`: {message}")));
+    }
+    for problem in Problem::ALL {
+        // A German phrase may begin with a noun.
+        let (title, help) = (problem.title_in(Language::German), problem.help_in(Language::German));
+        if title.is_empty() || title.ends_with('.') || !help.ends_with(['.', '?', '!']) {
+            let message = format!("`{}`: in German, too, the title is a phrase and the help a sentence", problem.code());
+            findings.push(Finding::file("crates/model/src/problems.rs", message));
+        }
     }
     findings
 }

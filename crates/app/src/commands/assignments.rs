@@ -65,7 +65,7 @@ fn document(places: &Places<'_>, list: &AssignmentList) -> Document {
     if sections.is_empty() {
         sections.push(Section { notes: vec!["No address is used in this program.".to_owned()], ..Section::default() });
     }
-    Document { title: "Assignment list".to_owned(), sections }
+    Document { title: "Assignment list".to_owned(), sections, ..Document::default() }
 }
 
 fn title(area: Area) -> &'static str {

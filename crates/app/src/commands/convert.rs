@@ -16,6 +16,7 @@ use sieben_workspace::project::Overrides;
 use crate::arguments::{EncodingArgument, MnemonicsArgument};
 use crate::diagrams;
 use crate::failure::{Exit, Failure};
+use crate::language;
 use crate::output;
 use crate::project;
 use crate::report;
@@ -169,7 +170,7 @@ fn networks(arguments: &Arguments, rewriting: &Rewriting, to: NetworkTarget) -> 
     if arguments.json {
         output::print_json(&Value::Array(all), true)?;
     } else if !findings.is_empty() {
-        output::message(&report::pieces(&findings, &build.project.texts, output::colour()).concat());
+        output::message(&report::pieces(&findings, &build.project.texts, output::colour(), language::spoken()).concat());
     }
     if !findings.is_empty() {
         let (count, verb) =

@@ -125,7 +125,7 @@ fn show(demo: &Demo) -> io::Result<()> {
         // It ends by itself when the gate is closed.
         thread::Builder::new().name("status".to_owned()).spawn(move || desk.replay(|| gate.is_closed()))?;
         let mut asks = Direct::new(&demo.gate, &demo.desk, &demo.facts);
-        let mut screen = Screen { story: Some(Arc::clone(&demo.story)), ..Screen::default() };
+        let mut screen = Screen { story: Some(Arc::clone(&demo.story)), ..Screen::spoken() };
         let note = |text: &str| {
             // A demo that is over has no use for it.
             let _ = demo.note(text);

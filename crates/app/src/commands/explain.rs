@@ -22,11 +22,13 @@ use sieben_model::block::BlockId;
 use sieben_model::cpu_type::CpuType;
 use sieben_model::diagnostic::Severity;
 use sieben_model::interface::{Interface, Section, SystemBlock};
+use sieben_model::language::{Language, Text, pick};
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
 use sieben_workspace::nearest::nearest;
 
 use crate::failure::{Exit, Failure};
+use crate::language;
 use crate::output;
 
 /// The nine bits of the status word: name, other spellings, what it holds.
@@ -98,6 +100,21 @@ pub(crate) struct Arguments {
     /// What to explain
     #[arg(required = true, value_name = "WORD", allow_hyphen_values = true)]
     words: Vec<String>,
+}
+
+impl Arguments {
+    /// The language that is named among the words, which may begin with a hyphen, as `-R` does.
+    pub(crate) fn take_language(&mut self) -> Option<Language> {
+        let at = self.words.iter().position(|word| word == "--lang" || word.starts_with("--lang="))?;
+        let (first, second) = (self.words.get(at)?, self.words.get(at + 1));
+        let (code, count) = match first.strip_prefix("--lang=") {
+            Some(code) => (code, 1),
+            None => (second?.as_str(), 2),
+        };
+        let language = Language::from_code(code)?;
+        self.words.drain(at..at + count);
+        Some(language)
+    }
 }
 
 /// Explains the word.
@@ -396,23 +413,29 @@ fn unknown(word: &str) -> Failure {
 
 /// The page of a problem: the row of the table, then what its page adds.
 fn problem(problem: Problem) -> String {
+    let language = language::spoken();
     let severity = match problem.severity() {
-        Severity::Error => "error",
-        Severity::Warning => "warning",
+        Severity::Error => ["error", "Fehler"],
+        Severity::Warning => ["warning", "Warnung"],
     };
-    let mut text = format!("{} ({severity}): {}\n\n{}\n", problem.code(), problem.title(), problem.help());
+    let (severity, title) = (pick(language, severity), problem.title_in(language));
+    let mut text = format!("{} ({severity}): {title}\n\n{}\n", problem.code(), problem.help_in(language));
     if let Some((_, page)) = PAGES.iter().find(|(code, _)| *code == problem.code()) {
         // The head of a page repeats the row.
         let rest = page.split_once("-->").map_or("", |(_, rest)| rest).trim();
         if !rest.is_empty() {
+            text.push_str(pick(language, PAGE_IS_ENGLISH));
             text.push_str(&format!("\n{rest}\n"));
         }
     }
     text
 }
 
+const PAGE_IS_ENGLISH: Text = ["", "\nDie Seite dazu ist englisch:\n"];
+
 fn problems() -> String {
-    Problem::ALL.iter().map(|problem| format!("{}  {}\n", problem.code(), problem.title())).collect()
+    let language = language::spoken();
+    Problem::ALL.iter().map(|problem| format!("{}  {}\n", problem.code(), problem.title_in(language))).collect()
 }
 
 fn cpu_types() -> String {

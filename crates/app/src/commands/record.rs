@@ -33,7 +33,7 @@ use crate::paths::{self, is_scenario, shown};
 use crate::retain::restart_argument;
 use crate::schedule::ScheduleArguments;
 use crate::tracing::scenario;
-use crate::{files, output, terminal};
+use crate::{files, language, output, terminal};
 
 /// Text that waits at most before it is written.
 const WAITING_MAX: usize = 64 << 10;
@@ -47,11 +47,11 @@ const NAP: Duration = Duration::from_millis(50);
 /// Write down what goes into a program and what comes out of it, to hold another program against it.
 #[derive(Args)]
 #[command(after_help = "Examples:\n  \
-  sieben record old -o plant.scenario                      the project with its plants, until Ctrl-C\n  \
-  sieben record old -o plant.scenario --speed max --for 1h an hour of virtual time, at full speed\n  \
-  sieben record old story.scenario -o plant.scenario       what the program does in a scenario\n  \
-  sieben record old.awl --at 1s I0.0=1 --for 5s -o -       print it\n  \
-  sieben test new --tests plant.scenario                   does the new program do the same?\n\n\
+  sieben record old -o plant.scenario                       the project with its plants, until Ctrl-C\n  \
+  sieben record old -o plant.scenario --speed max --for 1h  an hour of virtual time, at full speed\n  \
+  sieben record old story.scenario -o plant.scenario        what the program does in a scenario\n  \
+  sieben record old.awl --at 1s I0.0=1 --for 5s -o -        print it\n  \
+  sieben test new --tests plant.scenario                    does the new program do the same?\n\n\
 The recording is a scenario: inputs with their times, interrupts, the times of the scans, and behind\n\
 every scan the outputs. `sieben test` and `sieben trace` run it again, on the same program scan by\n\
 scan the same, and without the plants: it has the values of their sensors. Time is virtual: scan k\n\
@@ -221,7 +221,7 @@ fn record(
     // The JSON object has them.
     for error in failures.iter().filter(|_| !arguments.json) {
         let message = format!("{place}:{}: {}", error.line, error.message);
-        output::styled(&Failure::usage(Problem::P6261, message).render(output::colour()));
+        output::styled(&Failure::usage(Problem::P6261, message).render(output::colour(), language::spoken()));
     }
     let interrupted = interrupted.load(Ordering::Relaxed);
     if arguments.json {

@@ -20,12 +20,12 @@ use crate::failure::{Exit, Failure};
 /// Print where every address, timer, counter and block is used.
 #[derive(Args)]
 #[command(after_help = "Examples:\n  \
-  sieben refs                       the cross reference of the project in this folder\n  \
-  sieben refs \"MW 10\"               one address\n  \
-  sieben refs pump Start --overlaps a symbol, with the addresses that share bits with it\n  \
-  sieben refs pump \"DB 5\"           a block; of a data block also its contents\n  \
-  sieben refs --unused              symbols that nothing uses, addresses without a symbol\n  \
-  sieben refs --html -o refs.html   a page to print\n\n\
+  sieben refs                        the cross reference of the project in this folder\n  \
+  sieben refs \"MW 10\"                one address\n  \
+  sieben refs pump Start --overlaps  a symbol, with the addresses that share bits with it\n  \
+  sieben refs pump \"DB 5\"            a block; of a data block also its contents\n  \
+  sieben refs --unused               symbols that nothing uses, addresses without a symbol\n  \
+  sieben refs --html -o refs.html    a page to print\n\n\
 Types: R read, W written, RW both, call, open, inst (instance of a call),\n\
 P# (the address or number is taken). `*` marks an address that is computed at run time.")]
 pub(crate) struct Arguments {
@@ -210,7 +210,11 @@ fn document(places: &Places<'_>, shown: &[Entry<'_>], overlaps: bool) -> Documen
             rows.push(row);
         }
     }
-    Document { title: "Cross reference".to_owned(), sections: vec![Section { headings, rows, ..Section::default() }] }
+    Document {
+        title: "Cross reference".to_owned(),
+        sections: vec![Section { headings, rows, ..Section::default() }],
+        ..Document::default()
+    }
 }
 
 /// The address; `*` marks what is computed at run time.
@@ -259,6 +263,7 @@ fn unused_document(places: &Places<'_>, unused: &Unused) -> Document {
             section("Symbols that no statement uses", vec!["Symbol", "Address", "In use with other widths", "Comment"], symbols.collect()),
             section("Addresses without a symbol", vec!["Address", "Uses", "First in", "Line"], addresses.collect()),
         ],
+        ..Document::default()
     }
 }
 

@@ -367,7 +367,7 @@ fn show(mut asks: Direct, desk: &Desk, ending: &(Ending, Arc<Gate>), is_over: &(
         // A run that is over has no use for it.
         let _ = gate.enter(|plant| desk.observed.note(plant, text));
     };
-    let left = screen::show(&mut asks, &mut Screen::default(), Palette::wanted(), &screen::Around { is_over, note: &note });
+    let left = screen::show(&mut asks, &mut Screen::spoken(), Palette::wanted(), &screen::Around { is_over, note: &note });
     if !is_over() {
         ending.end(gate);
     }

@@ -17,14 +17,14 @@ use sieben_workspace::project::Build;
 use sieben_workspace::schedule;
 use sieben_workspace::session::commands::{Answer, LINE_MAX, carry_out};
 use sieben_workspace::session::recording::Unusable;
-use sieben_workspace::session::{Language, Session, recording, table};
+use sieben_workspace::session::{Session, recording, table};
 
 use crate::arguments::{FaultArguments, ProgramArguments};
 use crate::duration::cycle_argument;
 use crate::failure::{Exit, Failure};
 use crate::schedule::ChangeArguments;
 use crate::stepping::words::refused;
-use crate::{files, output, paths, stepping, terminal};
+use crate::{files, language, output, paths, stepping, terminal};
 
 /// Step through a program, one statement at a time, forwards and back.
 #[derive(Args)]
@@ -32,10 +32,11 @@ use crate::{files, output, paths, stepping, terminal};
   sieben step lamp.awl --set I0.0=1             the screen, with keys for every step\n  \
   sieben step lamp.awl --commands steps.txt     commands from a file\n  \
   printf 'watch MW10\\nrun\\nwho MW10' | sieben step plant --commands - --json\n\n\
-Commands, one line each:\n  step 3, over, out, network, block, scan 2   on\n  back 3, back over, back scan, run back      the same steps back\n  \
+Commands, one line each:\n  step 3, into, over, out, network, block, scan 2   on\n  back 3, back over, back scan, run back            the same steps back\n  \
   break FC1:4, break MW10 > 5, watch MW10, run, to OB1:5\n  print MW10, who Q4.0, set I0.0=1, help, quit\n\n\
 Time is virtual, as with `exec`. The columns are the registers after the\n\
-statement of the row; below it stands why, and what it changed.\n\n\
+statement of the row, in ST and SCL the variables that it names;\n\
+below it stands why, and what it changed.\n\n\
 Exit codes: 0 ok, 2 usage or a wrong command, 3 does not compile, 4 the CPU is in STOP.")]
 pub(crate) struct Arguments {
     /// Source files, symbol tables, or a project folder
@@ -65,13 +66,6 @@ pub(crate) struct Arguments {
     /// Print one JSON object per command
     #[arg(long)]
     json: bool,
-    /// Language of answers and reasons, en or de
-    #[arg(long, value_name = "LANGUAGE", default_value = "en", value_parser = language_argument)]
-    lang: Language,
-}
-
-fn language_argument(text: &str) -> Result<Language, String> {
-    Language::from_code(text).ok_or_else(|| format!("`{text}` is no language of the microscope; there are en and de"))
 }
 
 /// Reads and carries out commands.
@@ -95,7 +89,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         Some(path) => replay(path, build, cpu, plan)?,
         None => Session::new(build, cpu, plan),
     };
-    session.language = arguments.lang;
+    session.language = if arguments.json { language::for_programs() } else { language::spoken() };
     let exit = if arguments.commands.is_none() && !arguments.json && terminal::has_screen() {
         on_screen(&mut session)?
     } else {
@@ -158,7 +152,7 @@ fn read_commands(arguments: &Arguments, session: &mut Session, mut input: Box<dy
     let prompts = arguments.commands.is_none() && std::io::stdin().is_terminal() && !arguments.json;
     let mut wrong = false;
     if !arguments.json {
-        output::print(table::head(session.language))?;
+        output::print(table::head(session))?;
     }
     loop {
         if prompts {

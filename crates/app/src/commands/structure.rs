@@ -76,7 +76,7 @@ fn document(build: &Build, places: &Places<'_>, structure: &CallStructure) -> Do
     if sections.is_empty() {
         sections.push(Section { notes: vec!["There is no code block in this program.".to_owned()], ..Section::default() });
     }
-    Document { title: "Call structure".to_owned(), sections }
+    Document { title: "Call structure".to_owned(), sections, ..Document::default() }
 }
 
 fn section(build: &Build, places: &Places<'_>, lines: &[Line<'_>], mark: &str) -> Section {

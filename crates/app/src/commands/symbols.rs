@@ -179,7 +179,7 @@ fn put(arguments: &Arguments, bytes: &[u8]) -> Result<(), Failure> {
 fn as_document(table: &SymbolTable) -> Document {
     let rows = assignment::rows(table).into_iter().map(|row| row.to_vec()).collect();
     let section = Section { headings: assignment::HEADINGS.to_vec(), rows, ..Section::default() };
-    Document { title: "Assignment table".to_owned(), sections: vec![section] }
+    Document { title: "Assignment table".to_owned(), sections: vec![section], ..Document::default() }
 }
 
 fn as_json(table: &SymbolTable) -> serde_json::Value {

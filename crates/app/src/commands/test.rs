@@ -7,6 +7,7 @@ use std::time::{Duration, Instant};
 
 use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use sieben_model::language::Language;
 use sieben_model::problems::Problem;
 use sieben_sim::scenario::Rules;
 use sieben_workspace::coverage::{Collector, Coverage};
@@ -20,7 +21,7 @@ use crate::testing::computer::Computer;
 use crate::testing::discovery::Discovered;
 use crate::testing::rules::RuleArguments;
 use crate::testing::{self, coverage_pages, discovery};
-use crate::{files, output, paths, watch};
+use crate::{files, language, output, paths, watch};
 
 /// Run unit tests (*.test.st), scenarios, and programs that check themselves.
 #[derive(Args)]
@@ -112,6 +113,13 @@ pub(crate) struct Arguments {
     junit: Option<PathBuf>,
 }
 
+impl Arguments {
+    /// The language of what is wrong with a program.
+    fn language(&self) -> Language {
+        if self.json || self.tap || self.junit.is_some() { language::for_programs() } else { language::spoken() }
+    }
+}
+
 /// Runs the tests.
 pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     paths::spare_sources([&arguments.junit, &arguments.coverage].into_iter().flatten())?;
@@ -137,7 +145,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
 /// Runs the tests once.
 fn once(arguments: &Arguments) -> Result<Exit, Failure> {
     let mut conditions = Conditions {
-        outside: Arc::new(Computer::new(arguments.engine, arguments.svg.clone())),
+        outside: Arc::new(Computer::new(arguments.engine, arguments.svg.clone(), arguments.language())),
         overrides: arguments.strict.overrides(arguments.program.overrides()?),
         diagnostics: arguments.diagnostics.wanted(),
         encoding: arguments.program.encoding(),

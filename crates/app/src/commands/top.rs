@@ -54,7 +54,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         let is_over = || interrupted.load(Ordering::Relaxed);
         let around = Around { is_over: &is_over, note: &|_| {} };
         let (mut client, names) = onlooker.into_parts();
-        let mut screen = Screen { names, ..Screen::default() };
+        let mut screen = Screen { names, ..Screen::spoken() };
         let left = screen::show(&mut client, &mut screen, Palette::wanted(), &around).map_err(|error| failed(&error))?;
         if left == Left::RunOver && !is_over() {
             output::print("The run is over.\n")?;

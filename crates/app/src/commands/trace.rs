@@ -33,7 +33,7 @@ use crate::schedule::ScheduleArguments;
 use crate::tracing::file::{Disk, Spill};
 use crate::tracing::output::{unreadable, unwritable, write};
 use crate::tracing::scenario;
-use crate::{output, report};
+use crate::{language, output, report};
 
 /// Record values over many scans and draw them as a timing diagram.
 #[derive(Args)]
@@ -506,7 +506,7 @@ fn told(arguments: &Arguments, build: &Build, outcome: &Outcome) -> Result<Exit,
     // The JSON object has them.
     for (error, _) in outcome.failures.iter().filter(|_| !arguments.json) {
         let message = format!("{}:{}: {}", outcome.scenario.display(), error.line, error.message);
-        output::styled(&Failure::usage(Problem::P6261, message).render(output::colour()));
+        output::styled(&Failure::usage(Problem::P6261, message).render(output::colour(), language::spoken()));
     }
     if let Some(failed) = outcome.failed.as_ref().filter(|_| !arguments.json) {
         output::message(&format!("{}\n", failed.line()));

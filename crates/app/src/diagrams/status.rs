@@ -4,11 +4,11 @@ use std::collections::HashMap;
 
 use sieben_cpu::Cpu;
 use sieben_engine::machine::Registers;
-use sieben_engine::{FaultPlace, StatementEvent};
+use sieben_engine::{FaultPlace, Program, StatementEvent};
 use sieben_ide::drawing::flow::{Executed, Status};
 use sieben_model::block::BlockId;
 use sieben_model::symbols::SymbolTable;
-use sieben_sim::names::Name;
+use sieben_sim::names::{Kind, Name, Scope};
 use sieben_workspace::names;
 
 use super::Written;
@@ -57,11 +57,16 @@ impl Watch {
 
     /// What they did; addresses have the values that the CPU has now.
     pub(crate) fn status(&self, network: &Written, cpu: &Cpu, symbols: &SymbolTable) -> Status {
-        self.status_with(network, &|operand| value_now(operand, cpu, symbols))
+        self.status_with(network, (cpu.program(), symbols), &|operand| value_now(operand, cpu, symbols))
     }
 
     /// What they did; `value_now` has the values of addresses.
-    pub(crate) fn status_with(&self, network: &Written, value_now: &dyn Fn(&str) -> Option<String>) -> Status {
+    pub(crate) fn status_with(
+        &self,
+        network: &Written,
+        (program, symbols): (&Program, &SymbolTable),
+        value_now: &dyn Fn(&str) -> Option<String>,
+    ) -> Status {
         let statements = network.statements.iter().zip(&self.after).map(|(statement, after)| {
             let Some(after) = after else { return Executed::default() };
             let found = match statement.mnemonic {
@@ -78,7 +83,7 @@ impl Watch {
                 let seen = match statement.mnemonic {
                     "A" | "AN" | "O" | "ON" | "X" | "XN" => Some(u8::from(after.sta != 0).to_string()),
                     "=" => Some(u8::from(after.rlo != 0).to_string()),
-                    "L" | "T" if is_local => Some((after.accu1 as u32 as i32).to_string()),
+                    "L" | "T" if is_local => Some(self.local(&statement.operand, after.accu1, program, symbols)),
                     _ => None,
                 };
                 let value = value_now(&statement.operand).or(seen);
@@ -93,6 +98,18 @@ impl Watch {
         });
         Status { statements: statements.collect() }
     }
+
+    /// What ACCU 1 has of a variable of the block, in the notation of its type.
+    fn local(&self, operand: &str, accu1: u64, program: &Program, symbols: &SymbolTable) -> String {
+        let scope = Scope { block: self.block, bare: false };
+        let name = Name::parse_in(operand, Some(scope), symbols, program).ok().map(Name::readable);
+        // A parameter that names a timer or a counter holds its number, not what was loaded.
+        let is_number = |kind: &Kind| matches!(kind, Kind::Number) || matches!(kind, Kind::Typed(data_type) if data_type.is_number());
+        match name.filter(|name| matches!(name.kind().width(), 8 | 16 | 32) && !is_number(name.kind())) {
+            Some(name) => name.show_bits(accu1 & (u64::MAX >> (64 - name.kind().width()))).readable(),
+            None => (accu1 as u32 as i32).to_string(),
+        }
+    }
 }
 
 /// The value of an address or symbol at this moment.
@@ -103,5 +120,5 @@ fn value_now(operand: &str, cpu: &Cpu, symbols: &SymbolTable) -> Option<String> 
     }
     let name = Name::parse(operand, symbols, cpu.program()).ok()?;
     name.read(cpu).ok()?;
-    Some(names::text(&name, cpu))
+    Some(names::readable(&name, cpu))
 }

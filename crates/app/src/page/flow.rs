@@ -38,13 +38,14 @@ impl Known {
 }
 
 fn flow(diagrams: &Diagrams<'_>, (block, network, view): (BlockId, u32, View), after: &mut dyn Iterator<Item = (u32, Registers)>) -> Value {
+    let build = diagrams.build();
     let code = diagrams.blocks().find(|(id, _)| *id == block).map(|(_, code)| code);
     let Some(written) = code.and_then(|code| code.networks.iter().find(|written| written.number == network)) else { return json!([]) };
     let mut watch = Watch::new(block, written);
     for (statement, registers) in after {
         watch.take(FaultPlace { block, statement }, &registers);
     }
-    let status = watch.status_with(written, &|_| None);
+    let status = watch.status_with(written, (&build.compiled.program, &build.project.symbols), &|_| None);
     let shown = diagrams.shown(block, written, form(view), Some(&status));
     let Some(layout) = &shown.layout else { return json!([]) };
     marks(&svg(&Picture { title: &shown.title, layout, flows: shown.flows.as_deref() }))

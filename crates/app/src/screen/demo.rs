@@ -189,3 +189,169 @@ impl Surroundings for Around<'_> {
         self.demo.is_ended.load(Ordering::Relaxed)
     }
 }
+
+/// The demo in virtual time, scan by scan.
+#[cfg(test)]
+mod tests {
+    use sieben_cpu::OperatingMode;
+    use sieben_sim::wrap::{self, Fault};
+    use sieben_workspace::End;
+    use sieben_workspace::observed::ENTRIES_MAX;
+
+    use super::*;
+
+    /// Ends the demo after so many scans.
+    struct Counted<'s> {
+        around: Around<'s>,
+        left: u64,
+    }
+
+    impl Surroundings for Counted<'_> {
+        fn before_scan(&mut self, plant: &mut Plant) {
+            self.left -= 1;
+            self.around.before_scan(plant);
+        }
+        fn after_scan(&mut self, plant: &mut Plant) {
+            self.around.after_scan(plant);
+        }
+        fn is_ended(&self) -> bool {
+            self.left == 0
+        }
+    }
+
+    impl Demo {
+        /// A demo whose time stands still but for scans that are asked for; what changes is kept.
+        fn in_steps() -> Self {
+            let mut pace = Pace::new(Speed::Factor(1.0), CYCLE_US, u64::MAX, 0);
+            pace.missed = Missed::MadeUp;
+            pace.pause(0);
+            let demo = Self::with(pace, Box::new(|| 0));
+            demo.desk.observed.look(0, || watched(&demo.facts.facts()), 0);
+            demo.drive(0, |driver| driver.run(Restart::Warm));
+            demo
+        }
+
+        fn drive(&self, scans: u64, drive: impl FnOnce(&mut Driver<'_>) -> End) {
+            let mut counted = Counted { around: Around::new(self, None), left: scans };
+            assert_eq!(drive(&mut Driver::new(&self.gate, &self.desk, &mut counted)), End::Ended);
+            assert_eq!(counted.left, 0);
+        }
+
+        /// So many seconds of scans, in this thread.
+        fn seconds(&self, seconds: u64) {
+            let scans = seconds * 1_000_000 / CYCLE_US;
+            self.of(|plant| plant.pace.step(scans, 0));
+            self.drive(scans, |driver| driver.go_on());
+        }
+
+        fn of<R>(&self, look: impl FnOnce(&mut Plant) -> R) -> R {
+            self.gate.enter(look).expect("the gate is open")
+        }
+
+        fn value(&self, name: &str) -> f64 {
+            self.of(|plant| wrap::plants(plant.cpu.rack()).next().and_then(|plant| plant.device().value(name)).expect("it is there"))
+        }
+
+        fn is_open(&self) -> bool {
+            self.of(|plant| wrap::plants(plant.cpu.rack()).any(|plant| plant.commands()[0] & 1 != 0))
+        }
+
+        /// Sets an input of the buttons.
+        fn set(&self, mask: u8, value: u8) {
+            self.story.user_acted.store(true, Ordering::Relaxed);
+            assert!(self.of(|plant| plant.cpu.rack_mut().set_input(0, mask, value)));
+        }
+
+        fn notes(&self) -> Vec<String> {
+            let note = |entry: Entry| match entry.event {
+                Event::Note(text) => Some(text),
+                Event::Change { .. } => None,
+            };
+            self.desk.observed.newer_than(0).1.into_iter().filter_map(note).collect()
+        }
+    }
+
+    #[test]
+    fn the_story_doses_25_litres_without_a_key() {
+        let demo = Demo::in_steps();
+        demo.seconds(4);
+        assert!(demo.is_open());
+        demo.seconds(10);
+        assert!(!demo.is_open());
+        let delivered = demo.value("delivered");
+        assert!((25.0..25.2).contains(&delivered), "{delivered}");
+        assert_eq!(demo.notes()[0], "the demo presses START");
+    }
+
+    #[test]
+    fn an_hour_of_the_plant_needs_no_more_memory_than_a_minute() {
+        let demo = Demo::in_steps();
+        demo.seconds(3_600);
+        let (count, kept) = demo.desk.observed.newer_than(0);
+        assert!(kept.len() == ENTRIES_MAX && count > 10_000, "{count}");
+        demo.of(|plant| {
+            assert_eq!((plant.scans, plant.cpu.mode()), (360_000, OperatingMode::Run));
+            assert!(plant.cpu.diagnostic_buffer().entries().len() <= 100);
+        });
+    }
+
+    #[test]
+    fn without_the_flow_meter_the_container_overflows_and_the_demo_recovers() {
+        let demo = Demo::in_steps();
+        let fault = Fault::parse("plant.flow stuck=0").expect("a fault");
+        demo.of(|plant| wrap::inject(plant.cpu.rack_mut(), &fault)).expect("it fits");
+        demo.set(1, 1);
+        demo.seconds(1);
+        demo.set(1, 0);
+        demo.seconds(14);
+        assert!(demo.value("spilled") > 0.0);
+        assert!(demo.notes().contains(&"the container overflows!".to_owned()));
+        demo.seconds(130);
+        assert_eq!(demo.of(|plant| wrap::plants(plant.cpu.rack()).map(|plant| plant.faults().count()).sum::<usize>()), 0);
+    }
+
+    #[test]
+    fn a_cpu_in_stop_closes_the_valve_and_its_plant_lives_on() {
+        let demo = Demo::in_steps();
+        demo.seconds(5);
+        let scans = demo.of(|plant| plant.scans);
+        demo.of(|plant| plant.stop(sieben_cpu::Requester::default()));
+        demo.seconds(5);
+        assert_eq!(demo.of(|plant| (plant.cpu.mode(), plant.scans)), (OperatingMode::Stop, scans));
+        assert!(!demo.is_open());
+        assert!(demo.notes().iter().any(|note| note.ends_with("l leaves")), "{:?}", demo.notes());
+        demo.of(|plant| plant.ask_for_start(Restart::Warm, sieben_cpu::Requester::default()));
+        demo.seconds(1);
+        let notes = demo.notes();
+        let modes: Vec<&str> = notes.iter().map(String::as_str).filter(|note| note.starts_with("CPU")).collect();
+        assert_eq!(modes, ["CPU in STOP", "CPU in RUN"]);
+    }
+
+    #[test]
+    fn a_user_is_left_alone_and_a_story_that_is_off_stays_so() {
+        let demo = Demo::in_steps();
+        demo.seconds(1);
+        demo.set(0, 0);
+        demo.seconds(15);
+        assert!(demo.notes().is_empty(), "{:?}", demo.notes());
+        demo.seconds(8);
+        assert_eq!(demo.notes()[0], "the demo presses START");
+        demo.story.is_on.store(false, Ordering::Relaxed);
+        demo.seconds(60);
+        assert_eq!(demo.notes().iter().filter(|note| note.contains("presses")).count(), 1);
+    }
+
+    #[test]
+    fn the_same_keys_at_the_same_scans_make_the_same_demo() {
+        let run = || {
+            let demo = Demo::in_steps();
+            for (seconds, (mask, value)) in [(2, (1, 1)), (1, (1, 0)), (7, (2, 0)), (1, (2, 2)), (40, (1, 1))] {
+                demo.seconds(seconds);
+                demo.set(mask, value);
+            }
+            demo.seconds(60);
+            demo.desk.observed.newer_than(0).1
+        };
+        assert_eq!(run(), run());
+    }
+}

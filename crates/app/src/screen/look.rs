@@ -194,6 +194,10 @@ impl Look {
         if self.program.lines.is_empty() {
             return Ok(());
         }
+        // A CPU in STOP executes nothing, also where time stands still with it and no scan comes.
+        if self.word("mode") == "STOP" {
+            self.program.seen.clear();
+        }
         let fields = |from: u64, after: u64, block: &str| json!({ "block": block, "after": after, "from": from, "wait": false });
         let Ok(answer) = asked(asks, "status", &fields(1, self.program.sample, &self.program.block))? else {
             self.program.seen.clear();

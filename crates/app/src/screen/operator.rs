@@ -45,7 +45,6 @@ impl Button {
 
     fn set(self, plant: &mut Plant, is_pressed: bool) {
         let value = if is_pressed == (self == Self::Start) { self.mask() } else { 0 };
-        plant.touch();
         plant.cpu.rack_mut().set_input(0, self.mask(), value);
     }
 
@@ -159,7 +158,6 @@ impl Operator {
     }
 
     fn attend(plant: &mut Plant, attention: Attention) {
-        plant.touch();
         plant.cpu.rack_mut().modules_mut::<wrap::Plant>().take(1).for_each(|dosing| dosing.attend(attention));
     }
 
@@ -206,7 +204,6 @@ impl Operator {
     fn tell_story(&mut self, plant: &mut Plant, seen: &Seen) {
         if self.story_due_us(plant, seen).is_some_and(|due| due <= self.now_us) && self.exchange_us.is_none() {
             if seen.meter_failed {
-                plant.touch();
                 plant.cpu.rack_mut().modules_mut::<wrap::Plant>().take(1).for_each(|dosing| {
                     dosing.mend(Some(METER));
                 });

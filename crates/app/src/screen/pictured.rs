@@ -27,13 +27,11 @@ fn kept(name: &str) -> Option<&'static str> {
     })
 }
 
-/// As many bytes as there have to be.
-fn bytes(hex: &Value, count: u32) -> Vec<u8> {
+/// Bytes as hex digits.
+fn bytes(hex: &Value) -> Vec<u8> {
     let hex = hex.as_str().unwrap_or_default().as_bytes();
     let byte = |pair: &[u8]| std::str::from_utf8(pair).ok().and_then(|pair| u8::from_str_radix(pair, 16).ok()).unwrap_or_default();
-    let mut bytes: Vec<u8> = hex.chunks(2).map(byte).collect();
-    bytes.resize(count as usize, 0);
-    bytes
+    hex.chunks(2).map(byte).collect()
 }
 
 /// What a picture is drawn of; `None` for a kind that this Sieben does not know.
@@ -52,10 +50,10 @@ pub(super) fn look(plant: &Value) -> Option<PlantLook> {
         input: byte("input"),
         output: byte("output"),
         parameters,
-        inputs: bytes(&plant["inputs"], kind.input_bytes),
-        outputs: bytes(&plant["outputs"], kind.output_bytes),
+        inputs: bytes(&plant["inputs"]),
+        outputs: bytes(&plant["outputs"]),
         state: list("state").filter_map(state).collect(),
-        faults: list("faults").filter_map(|fault| fault.as_str().map(str::to_owned)).collect(),
+        faults: list("acting").filter_map(|fault| fault.as_str().map(str::to_owned)).collect(),
         symbols: Arc::new(list("signals").filter_map(symbol).collect::<BTreeMap<_, _>>()),
     })
 }

@@ -70,7 +70,8 @@ impl Row {
             _ => Driver::People,
         };
         let said = format!("{symbol} {comment}").to_lowercase();
-        let is_button = terminal["button"].as_bool().unwrap_or_else(|| BUTTON_WORDS.iter().any(|word| said.contains(word)));
+        let is_called_so = || BUTTON_WORDS.iter().any(|word| said.contains(word));
+        let is_button = terminal["operated"].as_str().map_or_else(is_called_so, |operated| operated == "button");
         // A terminal that is a person's and has no symbol is called as the plant calls it.
         let of_plant = terminal["signal"].as_str().filter(|_| terminal["direction"] == "hand");
         let name = if symbol.is_empty() { of_plant.unwrap_or(&address).to_owned() } else { symbol };

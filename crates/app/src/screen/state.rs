@@ -181,6 +181,11 @@ pub(crate) struct Screen {
 }
 
 impl Screen {
+    /// A screen in the language of the command line or the environment.
+    pub(crate) fn spoken() -> Self {
+        Self { language: crate::language::spoken(), ..Self::default() }
+    }
+
     /// A text in the language of the screen.
     pub(crate) fn word(&self, text: Text) -> &'static str {
         pick(self.language, text)

@@ -8,6 +8,7 @@ use ratatui::widgets::{Block, BorderType, Clear, Paragraph, Wrap};
 use sieben_workspace::session::texts::{self, pick};
 
 use super::picture::{Focus, Picture, SourceLine, pointer};
+use super::trail::Seen;
 use super::words::{HELP, KEYS};
 
 /// Smallest terminal that the picture fits into.
@@ -16,10 +17,16 @@ pub(super) const MIN_WIDTH: u16 = 80;
 pub(super) const MIN_HEIGHT: u16 = 24;
 /// Registers and bits with their frames.
 const SIDE_WIDTH: u16 = 28;
+/// The same on a terminal that is wide.
+const SIDE_WIDTH_WIDE: u16 = 40;
+/// Columns from which on a terminal is.
+const WIDE: u16 = 120;
 /// The reason with its frame.
 const REASON_HEIGHT: u16 = 5;
 /// RLO, STA and ACCU 1 beside the source.
 const COLUMNS_WIDTH: usize = 18;
+/// Breakpoint, arrow, cursor and number of a line.
+const MARKS_WIDTH: usize = 8;
 /// Room for statements at least, where the terminal has it.
 const TEXT_WIDTH: usize = 32;
 /// Rows of a message at most.
@@ -81,17 +88,37 @@ pub(super) fn draw(frame: &mut Frame<'_>, picture: &Picture) {
         }
         None => body,
     };
-    let [source, side] = Layout::horizontal([Constraint::Fill(1), Constraint::Length(SIDE_WIDTH)]).areas(body);
-    let registers_height = if picture.four_accumulators { 12 } else { 10 };
-    let [registers, values] = Layout::vertical([Constraint::Length(registers_height), Constraint::Fill(1)]).areas(side);
+    let side_width = if area.width >= WIDE { SIDE_WIDTH_WIDE } else { SIDE_WIDTH };
+    let [source, side] = Layout::horizontal([Constraint::Fill(1), Constraint::Length(side_width)]).areas(body);
     draw_header(frame, header, picture);
     draw_source(frame, source, picture);
-    draw_registers(frame, registers, picture);
-    draw_values(frame, values, picture);
+    draw_side(frame, side, picture);
     draw_reason(frame, reason, picture);
     draw_keys(frame, keys, picture, message);
     if picture.help {
         draw_help(frame, body, picture);
+    }
+}
+
+/// What stands beside the source: registers or, in ST, variables, and below them bits and values.
+fn draw_side(frame: &mut Frame<'_>, side: Rect, picture: &Picture) {
+    if !picture.on_registers && picture.only_variables {
+        return draw_variables(frame, side, picture);
+    }
+    let registers_height = if picture.four_accumulators { 12 } else { 10 };
+    let wanted = 3 + picture.bytes.len() + picture.used.len() + picture.watched.len();
+    let split = match picture.on_registers {
+        true => [Constraint::Length(registers_height), Constraint::Fill(1)],
+        false => [Constraint::Fill(1), Constraint::Length(u16::try_from(wanted).unwrap_or(u16::MAX).min(side.height / 2))],
+    };
+    let [above, below] = Layout::vertical(split).areas(side);
+    match picture.on_registers {
+        true => draw_registers(frame, above, picture),
+        false => draw_variables(frame, above, picture),
+    }
+    match picture.on_registers && picture.only_variables {
+        true => draw_variables(frame, below, picture),
+        false => draw_values(frame, below, picture),
     }
 }
 
@@ -143,22 +170,25 @@ fn draw_source(frame: &mut Frame<'_>, area: Rect, picture: &Picture) {
     // The columns stand beside the statements, not at the far end of a wide terminal.
     let statements = picture.lines.iter().filter(|line| !line.text.trim_start().starts_with("//"));
     let longest = statements.map(|line| line.text.chars().count()).max().unwrap_or_default();
-    let room = width.saturating_sub(COLUMNS_WIDTH + 8);
+    let room = width.saturating_sub(COLUMNS_WIDTH + MARKS_WIDTH);
     let text_width = room.min(longest.max(TEXT_WIDTH));
-    let width = text_width + COLUMNS_WIDTH + 8;
-    let rows = usize::from(inner.height).saturating_sub(1);
+    let width = text_width + COLUMNS_WIDTH + MARKS_WIDTH;
+    let height = usize::from(inner.height);
     // The cursor stays in the middle third where the source is longer than the window.
-    let top = picture.cursor.saturating_sub(rows / 2).min(picture.lines.len().saturating_sub(rows));
+    let top = |rows: usize| picture.cursor.saturating_sub(rows / 2).min(picture.lines.len().saturating_sub(rows));
+    let has_columns = picture.lines.iter().skip(top(height)).take(height).any(|line| matches!(line.seen, Some(Seen::Registers(..))));
+    let has_head = has_columns || picture.on_registers;
+    let rows = if has_head { height.saturating_sub(1) } else { height };
+    let top = top(rows);
     let head = format!("{:>width$}", picture.say(["RLO STA    ACCU1", "VKE STA    AKKU1"]), width = width);
-    let mut lines = vec![Line::styled(head, picture.faint())];
-    lines.extend(
-        picture
-            .lines
-            .iter()
-            .skip(top)
-            .take(rows)
-            .map(|line| source_line(line, if line.seen.is_some() { text_width } else { room }, picture)),
-    );
+    let mut lines = Vec::new();
+    if has_head {
+        lines.push(Line::styled(head, picture.faint()));
+    }
+    lines.extend(picture.lines.iter().skip(top).take(rows).map(|line| match line.seen {
+        Some(Seen::Registers(..)) => source_line(line, text_width, picture),
+        _ => source_line(line, usize::from(inner.width).saturating_sub(MARKS_WIDTH), picture),
+    }));
     frame.render_widget(Paragraph::new(lines).block(block), area);
 }
 
@@ -208,9 +238,17 @@ fn source_line(line: &SourceLine, width: usize, picture: &Picture) -> Line<'stat
         style = style.add_modifier(Modifier::UNDERLINED);
     }
     let mut spans = Vec::from(marks);
-    let Some((rlo, sta, accu1)) = line.seen else {
-        spans.push(Span::styled(text, style));
-        return Line::from(spans);
+    let (rlo, sta, accu1) = match &line.seen {
+        Some(Seen::Registers(rlo, sta, accu1)) => (*rlo, *sta, *accu1),
+        Some(Seen::Values(values)) => {
+            let (text, values) = text_and_values(&line.text, values, width);
+            spans.extend([Span::styled(text, style), Span::styled(values, picture.colour(Color::Green))]);
+            return Line::from(spans);
+        }
+        None => {
+            spans.push(Span::styled(text, style));
+            return Line::from(spans);
+        }
     };
     // An RLO of 1 shows in its column and, as with power that flows, in green.
     let on = picture.colour(Color::Green);
@@ -218,6 +256,18 @@ fn source_line(line: &SourceLine, width: usize, picture: &Picture) -> Line<'stat
     let bit = |bit: u64| Span::styled(format!("{bit:>4}"), if bit == 1 { on.add_modifier(Modifier::BOLD) } else { picture.faint() });
     spans.extend([bit(rlo), bit(sta), Span::styled(format!("  {accu1:08X}"), picture.faint())]);
     Line::from(spans)
+}
+
+/// A line and the values after it, as a comment; where both do not fit the values give way first, down to two fifths of the room.
+fn text_and_values(text: &str, values: &str, width: usize) -> (String, String) {
+    let values = format!("  // {values}");
+    let (text_length, values_length) = (text.chars().count(), values.chars().count());
+    let cut = |text: &str, room: usize| match text.chars().count() > room {
+        true => text.chars().take(room.saturating_sub(1)).chain(['…']).collect(),
+        false => text.to_owned(),
+    };
+    let for_values = values_length.min(width.saturating_sub(text_length).max(width * 2 / 5));
+    (cut(text, width.saturating_sub(for_values)), cut(&values, for_values))
 }
 
 fn draw_registers(frame: &mut Frame<'_>, area: Rect, picture: &Picture) {
@@ -270,43 +320,51 @@ fn draw_registers(frame: &mut Frame<'_>, area: Rect, picture: &Picture) {
     frame.render_widget(Paragraph::new(lines).block(block), area);
 }
 
-/// The variables of the block that runs; the names give way to the values.
-fn draw_variables(frame: &mut Frame<'_>, area: Rect, picture: &Picture, (name, values): &(String, Vec<(String, String)>)) {
-    let title = if name.is_empty() {
-        picture.say(texts::NO_BLOCK_RUNS).to_owned()
-    } else {
-        texts::fill(picture.language, texts::VARIABLES_OF, &[name])
-    };
+/// The variables of blocks; the names give way to the values.
+fn draw_variables(frame: &mut Frame<'_>, area: Rect, picture: &Picture) {
+    let of = |name: &String| texts::fill(picture.language, texts::VARIABLES_OF, &[name]);
+    let title = picture.variables.first().map_or_else(|| picture.say(texts::NOTHING_KEPT).to_owned(), |(name, _)| of(name));
     let block = picture.frame(format!(" {title} "), false);
     let inner = block.inner(area);
     let (rows, width) = (usize::from(inner.height), usize::from(inner.width));
-    let for_watched = picture.watched.len().min(rows / 3);
+    // Where the bits have room of their own the watched values stand there.
+    let for_watched = if picture.only_variables { picture.watched.len().min(rows / 3) } else { 0 };
     let room = rows - for_watched;
-    let mut lines: Vec<Line<'_>> = Vec::new();
-    let shown = if values.len() > room { room.saturating_sub(1) } else { room };
-    for (name, value) in values.iter().take(shown) {
-        let value_width = value.chars().count().min(width);
-        let name: String = name.chars().take(width.saturating_sub(value_width + 1)).collect();
-        lines.push(Line::from(format!("{name:<left$} {value}", left = width.saturating_sub(value_width + 1))));
+    let mut all: Vec<Line<'_>> = Vec::new();
+    for (index, (name, values)) in picture.variables.iter().enumerate() {
+        if index > 0 {
+            all.push(Line::styled(of(name), picture.faint()));
+        }
+        all.extend(values.iter().map(|(name, value)| Line::from(pair(name, value, width))));
     }
-    if values.len() > shown {
-        lines.push(Line::styled(format!("… {} :locals", values.len() - shown), picture.faint()));
+    let shown = if all.len() > room { room.saturating_sub(1) } else { room };
+    let hidden = all.len().saturating_sub(shown);
+    let mut lines: Vec<Line<'_>> = all.into_iter().take(shown).collect();
+    if hidden > 0 {
+        lines.push(Line::styled(format!("… {hidden} :locals"), picture.faint()));
     }
     let skipped = picture.watched.len() - for_watched;
     lines.extend(picture.watched.iter().skip(skipped).map(|(name, value)| Line::from(format!("{name} = {value}"))));
     frame.render_widget(Paragraph::new(lines).block(block), area);
 }
 
+/// A name and, at the right, its value; the name gives way.
+fn pair(name: &str, value: &str, width: usize) -> String {
+    let value_width = value.chars().count().min(width);
+    let left = width.saturating_sub(value_width + 1);
+    let name: String = name.chars().take(left).collect();
+    format!("{name:<left$} {value}")
+}
+
 fn draw_values(frame: &mut Frame<'_>, area: Rect, picture: &Picture) {
-    if let Some(variables) = &picture.variables {
-        return draw_variables(frame, area, picture, variables);
-    }
     let block = picture.frame(format!(" {} ", picture.say(["Bits and values", "Bits und Werte"])), picture.focus == Focus::Bits);
     let rows = usize::from(block.inner(area).height);
     let mut lines = vec![Line::styled("       7654 3210", picture.faint())];
-    // Watched values have room of their own; the chosen byte is always to be seen.
+    // Watched values have room of their own, and of what the program uses there is always something to be seen, and the chosen byte.
     let for_watched = picture.watched.len().min(rows.saturating_sub(1) / 2);
-    let for_bytes = rows.saturating_sub(1 + for_watched);
+    let left = rows.saturating_sub(1 + for_watched);
+    let for_used = picture.used.len().min(left.saturating_sub(picture.bytes.len()).max(left / 2));
+    let for_bytes = left - for_used;
     let chosen = picture.bytes.iter().position(|byte| byte.chosen.is_some()).unwrap_or(0);
     let first = (chosen + 1).saturating_sub(for_bytes);
     for byte in picture.bytes.iter().skip(first).take(for_bytes) {
@@ -328,6 +386,8 @@ fn draw_values(frame: &mut Frame<'_>, area: Rect, picture: &Picture) {
         }
         lines.push(Line::from(spans));
     }
+    let width = usize::from(block.inner(area).width);
+    lines.extend(picture.used.iter().take(for_used).map(|(name, value)| Line::from(pair(name, value, width))));
     let skipped = picture.watched.len().saturating_sub(for_watched.max(rows.saturating_sub(lines.len())));
     lines.extend(picture.watched.iter().skip(skipped).map(|(name, value)| Line::from(format!("{name} = {value}"))));
     frame.render_widget(Paragraph::new(lines).block(block), area);
@@ -342,7 +402,8 @@ fn draw_reason(frame: &mut Frame<'_>, area: Rect, picture: &Picture) {
         let bold = Style::new().add_modifier(Modifier::BOLD);
         lines.push(Line::from(vec![Span::styled(picture.statement.clone(), bold), Span::raw(format!(": {}", picture.reason))]));
     }
-    let changed = picture.view.changed.iter().filter(|change| change.name.contains([' ', '.']) || change.name.starts_with('"'));
+    let is_register = |name: &str| picture.view.registers.iter().any(|(register, _)| *register == name);
+    let changed = picture.view.changed.iter().filter(|change| !is_register(&change.name));
     let changed: Vec<String> = changed.map(|change| format!("{}: {} → {}", change.name, change.before, change.after)).collect();
     if !changed.is_empty() {
         lines.push(Line::styled(changed.join("; "), picture.colour(Color::Yellow)));

@@ -70,6 +70,7 @@ pub(super) fn command(key: Key, typing: bool) -> Option<Command> {
             match letter.to_ascii_lowercase() {
                 'q' => Command::Quit,
                 's' => Command::Step(Unit::Statement, direction),
+                'i' => Command::Step(Unit::Into, direction),
                 'o' => Command::Step(Unit::Over, direction),
                 'u' => Command::Step(Unit::Out, direction),
                 'n' => Command::Step(Unit::Network, direction),
@@ -117,9 +118,15 @@ mod tests {
 
     #[test]
     fn every_step_has_a_key_there_and_the_same_in_upper_case_back() {
-        for (letter, unit) in
-            [('s', Unit::Statement), ('o', Unit::Over), ('u', Unit::Out), ('n', Unit::Network), ('b', Unit::Block), ('c', Unit::Scan)]
-        {
+        for (letter, unit) in [
+            ('s', Unit::Statement),
+            ('i', Unit::Into),
+            ('o', Unit::Over),
+            ('u', Unit::Out),
+            ('n', Unit::Network),
+            ('b', Unit::Block),
+            ('c', Unit::Scan),
+        ] {
             assert_eq!(press(KeyCode::Char(letter)), Some(Command::Step(unit, Direction::Forward)));
             assert_eq!(press(KeyCode::Char(letter.to_ascii_uppercase())), Some(Command::Step(unit, Direction::Back)));
         }

@@ -5,6 +5,8 @@ mod keys;
 mod picture;
 #[cfg(test)]
 mod tests;
+mod trail;
+mod used;
 pub(crate) mod words;
 
 use std::io;

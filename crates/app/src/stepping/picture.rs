@@ -3,32 +3,32 @@
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::rc::Rc;
 
+use sieben_engine::FaultPlace;
 use sieben_engine::machine::Registers;
-use sieben_engine::{FaultPlace, Machine, StatementEvent};
 use sieben_ide::drawing::text::Characters;
 use sieben_model::address::{Address, Area, Width};
 use sieben_model::format::Format;
 use sieben_model::literal::Value;
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::source::FileId;
+use sieben_model::types::DataType;
 use sieben_model::value::{Content, Kind};
 use sieben_model::visible::visible;
-use sieben_sim::history::{Target, Watch};
-use sieben_sim::names::Setting;
+use sieben_sim::history::Target;
+use sieben_sim::names::{Name, Setting, Shown};
+use sieben_workspace::names;
 use sieben_workspace::session::commands::{Answer, LINE_MAX, carry_out};
 use sieben_workspace::session::texts::pick;
-use sieben_workspace::session::{self, Language, Session, View, table};
+use sieben_workspace::session::{self, Language, LocalValue, Session, Variables, View, table};
 
 use super::keys::Command;
+use super::trail::{Seen, Trail};
+use super::used::{self, Bits};
 use super::words::{halt, refused};
 use crate::diagrams::{self, Blocks, Diagrams, Form, Watch as Watching};
 
-/// Statements before the present one whose registers are shown beside the source.
-const TRAIL: u64 = 200;
 /// Columns of a diagram: what the smallest terminal has room for.
 const DIAGRAM_COLUMNS: usize = 76;
-/// Bytes whose bits are shown at most.
-const BYTES_MAX: usize = 64;
 
 /// What the keys work on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,6 +50,8 @@ pub(super) struct Screen {
     cursor: usize,
     /// Bytes of inputs, outputs and bit memory that the program uses.
     bytes: Vec<(Area, u32)>,
+    /// Timers, counters and words that it uses.
+    values: used::Values,
     /// The chosen byte, and the bit in it.
     chosen: (usize, u8),
     /// Inputs that were switched since this scan began: a module shows them to the next one.
@@ -75,8 +77,8 @@ pub(super) struct SourceLine {
     pub(super) next: bool,
     pub(super) executed: bool,
     pub(super) cursor: bool,
-    /// RLO, STA and ACCU 1 behind the statement of the line that was executed last.
-    pub(super) seen: Option<(u64, u64, u32)>,
+    /// What the statement of the line that was executed last left behind.
+    pub(super) seen: Option<Seen>,
 }
 
 /// Eight bits.
@@ -105,8 +107,14 @@ pub(super) struct Picture {
     pub(super) cursor: usize,
     pub(super) bytes: Vec<ByteLine>,
     pub(super) watched: Vec<(String, String)>,
-    /// The block that runs and its variables, in the place of the bits.
-    pub(super) variables: Option<(String, Vec<(String, String)>)>,
+    /// Timers, counters and words that the program uses, those of the block that runs first.
+    pub(super) used: Vec<(String, String)>,
+    /// Whether the block where the run stands works on registers; in ST its variables stand in their place.
+    pub(super) on_registers: bool,
+    /// The variables take the place of the bits as well.
+    pub(super) only_variables: bool,
+    /// Blocks with their variables.
+    pub(super) variables: Vec<(String, Vec<(String, String)>)>,
     /// The network as a diagram: what it is, and its lines.
     pub(super) diagram: Option<(String, Vec<String>)>,
     /// The last statement.
@@ -117,31 +125,9 @@ pub(super) struct Picture {
     pub(super) help: bool,
 }
 
-/// Keeps the registers behind the last execution of each statement of a scan.
-#[derive(Default)]
-struct Trail {
-    seen: HashMap<FaultPlace, (u64, u64, u32)>,
-    /// The same statements in their order, with all registers.
-    order: Vec<(FaultPlace, Registers)>,
-    /// The clock stands still in a scan: another time is another scan.
-    clock_us: u64,
-}
-
-impl Watch for Trail {
-    fn after(&mut self, machine: &Machine, event: &StatementEvent) -> bool {
-        if self.clock_us != machine.clock_us {
-            self.clock_us = machine.clock_us;
-            self.seen.clear();
-            self.order.clear();
-        }
-        self.order.push((event.place, event.after.clone()));
-        self.seen.insert(event.place, (event.after.rlo, event.after.sta, event.after.accu1 as u32));
-        false
-    }
-}
-
 impl Screen {
     pub(super) fn new(session: &mut Session, colour: bool) -> Self {
+        let bits = Bits::of(session);
         let greeting = ["s steps on, S back, h shows all keys", "s geht weiter, S zurück, h zeigt alle Tasten"];
         let mut screen = Self {
             colour,
@@ -149,8 +135,9 @@ impl Screen {
             variables: false,
             file: FileId(0),
             cursor: 0,
-            bytes: bytes(session),
-            chosen: (0, 0),
+            bytes: bits.bytes,
+            values: used::Values::of(session),
+            chosen: bits.first,
             switched: HashMap::new(),
             switched_in: 0,
             diagram: None,
@@ -343,7 +330,7 @@ impl Screen {
 
     /// The picture of where the run stands.
     pub(super) fn picture(&mut self, session: &mut Session) -> Picture {
-        let Trail { seen, order, .. } = trail(session);
+        let Trail { seen, order, .. } = Trail::of(session);
         let view = session.view();
         let diagram = match self.register_bits {
             true => Some(register_bits(session)),
@@ -356,7 +343,7 @@ impl Screen {
             let span = session.listing().span(place).filter(|span| span.file == self.file)?;
             Some(session.listing().places().line(span))
         };
-        let mut beside: BTreeMap<usize, (u32, (u64, u64, u32))> = BTreeMap::new();
+        let mut beside: BTreeMap<usize, (u32, Seen)> = BTreeMap::new();
         for (place, seen) in seen {
             if let Some(line) = in_file(place)
                 && beside.get(&line).is_none_or(|(statement, _)| *statement <= place.statement)
@@ -383,7 +370,7 @@ impl Screen {
                 next: next == Some(number),
                 executed: executed == Some(number),
                 cursor: index == self.cursor && self.focus == Focus::Source,
-                seen: beside.get(&number).map(|(_, seen)| *seen),
+                seen: beside.get(&number).map(|(_, seen)| seen.clone()),
             }
         });
         let lines = lines.collect();
@@ -397,15 +384,13 @@ impl Screen {
             }),
         });
         let bytes = bytes.collect();
-        let watched = session.watched().iter().map(|name| (shown(name.text()), shown(&session.value(name)))).collect();
-        let variables = self.variables.then(|| {
-            let (block, values) =
-                session.locals().map_or((String::new(), Vec::new()), |(block, values)| (session.listing().called(block), values));
-            let value = |one: session::LocalValue| {
-                (shown(one.name.text()), one.value.map_or_else(|| "-".to_owned(), |value| shown(&value.readable())))
-            };
-            (block, values.into_iter().map(value).collect())
-        });
+        let valued = |name: &Name| (shown(name.text()), shown(&session.value(name)));
+        let watched: Vec<(String, String)> = session.watched().iter().map(valued).collect();
+        let here = view.next.as_ref().or(view.executed.as_ref()).map(|line| line.place.block);
+        let on_registers = session.on_registers(here);
+        let is_watched = |name: &&Name| !session.watched().iter().any(|watched| watched.operand() == name.operand());
+        let used = self.values.from(here).into_iter().filter(is_watched).map(valued).collect();
+        let variables = if self.variables || !on_registers { variables(session, on_registers) } else { Vec::new() };
         let hits = view.hits.join("; ");
         Picture {
             language: session.language,
@@ -419,6 +404,9 @@ impl Screen {
             cursor: self.cursor,
             bytes,
             watched,
+            used,
+            on_registers,
+            only_variables: self.variables,
             variables,
             diagram,
             statement: view.executed.as_ref().map_or_else(String::new, |line| shown(line.said(session.language))),
@@ -429,6 +417,25 @@ impl Screen {
             view,
         }
     }
+}
+
+/// The variables of the block that runs, or those that the program keeps; single ones before the parts of others. ST calls them without `#`.
+fn variables(session: &Session, on_registers: bool) -> Vec<(String, Vec<(String, String)>)> {
+    let value = |one: &LocalValue| {
+        let name = one.name.text();
+        let value = match &one.value {
+            None => "-".to_owned(),
+            Some(Shown::Bit(bit)) if !on_registers => if *bit { "TRUE" } else { "FALSE" }.to_owned(),
+            Some(value) => shown(&value.readable()),
+        };
+        (shown(if on_registers { name } else { name.trim_start_matches('#') }), value)
+    };
+    let of = |all: Variables| {
+        let mut values: Vec<(String, String)> = all.values.iter().map(value).collect();
+        values.sort_by_key(|(name, _)| name.matches(['.', '[']).count());
+        (shown(&session.owner(&all)), values)
+    };
+    session.locals().into_iter().map(of).collect()
 }
 
 /// Accumulators and address registers bit by bit, below the numbers of the bits; beside them the number or pointer that they are.
@@ -449,36 +456,30 @@ fn register_bits(session: &mut Session) -> (String, Vec<String>) {
     if four {
         lines.extend([accumulator(3, registers.accu3), accumulator(4, registers.accu4)]);
     }
+    lines.extend(pointers(session));
     (pick(language, ["Registers, bit by bit", "Register, Bit für Bit"]).to_owned(), lines)
+}
+
+/// The parameters of the block that are a POINTER or an ANY, with their fields.
+fn pointers(session: &Session) -> Vec<String> {
+    let block = session.here();
+    let fields = |one: &LocalValue| {
+        let format = match one.name.kind() {
+            Kind::Typed(DataType::Pointer) => Format::Pointer,
+            Kind::Typed(DataType::Any) => Format::Any,
+            _ => return Vec::new(),
+        };
+        let Ok(name) = session.name_in(&format!("{}:{format}", one.name.text()), block) else { return Vec::new() };
+        let details = names::details(&name, session.cpu());
+        let first = format!("{} {}", one.name.text(), session.value(&name));
+        [first].into_iter().chain(details.into_iter().map(|line| format!("      {line}"))).map(|line| shown(&line)).collect()
+    };
+    session.locals().iter().filter(|of| of.data_block.is_none()).flat_map(|of| &of.values).flat_map(fields).collect()
 }
 
 /// A text in which nothing commands the terminal.
 fn shown(text: &str) -> String {
     visible(text).into_owned()
-}
-
-/// The registers behind the statements that led here.
-fn trail(session: &mut Session) -> Trail {
-    let mut trail = Trail::default();
-    session.watch_last(TRAIL, &mut trail);
-    trail
-}
-
-/// Bytes of inputs, outputs and bit memory of which the program or its symbols name a bit.
-fn bytes(session: &Session) -> Vec<(Area, u32)> {
-    let mut bytes = BTreeSet::new();
-    let build = session.build();
-    let shown = |area: &Area| matches!(area, Area::Input | Area::Output | Area::BitMemory);
-    let named = build.compiled.bodies.values().flat_map(|body| body.named_bits());
-    bytes.extend(named.filter(|(area, _)| shown(area)).map(|(area, position)| (area, position / 8)));
-    for symbol in build.project.symbols.symbols() {
-        if let Some(sieben_model::address::Operand::Address(Address { area, width: Width::Bit, byte, .. })) = symbol.operand()
-            && shown(&area)
-        {
-            bytes.insert((area, byte));
-        }
-    }
-    bytes.into_iter().take(BYTES_MAX).collect()
 }
 
 /// A pointer as it stands among the registers.

@@ -17,9 +17,13 @@ use super::picture::Screen;
 use crate::project;
 
 fn build() -> Build {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/dosing");
-    let paths: Vec<PathBuf> = ["dosing.awl", "symbols.csv"].iter().map(|name| root.join(name)).collect();
-    let project = project::load(&paths, None).unwrap_or_else(|failure| panic!("{}", failure.render(false)));
+    of_example("dosing", &["dosing.awl", "symbols.csv"])
+}
+
+fn of_example(name: &str, files: &[&str]) -> Build {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples").join(name);
+    let paths: Vec<PathBuf> = files.iter().map(|name| root.join(name)).collect();
+    let project = project::load(&paths, None).unwrap_or_else(|failure| panic!("{}", failure.render(false, Language::English)));
     project.compile(Overrides::default(), false)
 }
 
@@ -29,8 +33,12 @@ fn session(build: Build) -> Session {
 }
 
 /// The screen behind these commands.
-fn shown(commands: &[Command], language: Language, (width, height): (u16, u16)) -> String {
-    let mut session = session(build());
+fn shown(commands: &[Command], language: Language, size: (u16, u16)) -> String {
+    shown_of(build(), commands, language, size)
+}
+
+fn shown_of(build: Build, commands: &[Command], language: Language, (width, height): (u16, u16)) -> String {
+    let mut session = session(build);
     session.language = language;
     let mut screen = Screen::new(&mut session, true);
     for &command in commands {
@@ -168,4 +176,69 @@ fn the_network_is_shown_as_a_diagram_above_its_statements() {
     insta::assert_snapshot!(shown(&steps, Language::German, (100, 36)));
     let sentence = shown(&[STEP, Command::Diagram], Language::English, (100, 36));
     assert!(sentence.contains("Stays STL: `L C#25` (line 10)"), "{sentence}");
+}
+
+fn car_park() -> Build {
+    of_example("car-park", &["car-park.st", "symbols.csv"])
+}
+
+#[test]
+fn in_structured_text_values_stand_after_the_lines_and_variables_in_the_place_of_the_registers() {
+    let steps = [STEP; 13];
+    let text = shown_of(car_park(), &steps, Language::English, (120, 40));
+    // After a call of the library the outputs of the instance.
+    assert!(text.contains("   41   long(IN := first OR second, PT := T#2m);  // long.Q = FALSE"), "{text}");
+    assert!(text.contains("   40   position := next;  // position = 0, next = 0 "), "{text}");
+    for gone in ["RLO", "ACCU1"] {
+        assert!(!text.contains(gone), "{text}");
+    }
+    assert!(text.contains("variables of Lane") && text.contains("│first                            FALSE│"), "{text}");
+    // Into the library on request.
+    let into = shown_of(
+        car_park(),
+        &[[STEP; 12].as_slice(), &[Command::Step(Unit::Into, Direction::Forward)]].concat(),
+        Language::English,
+        (120, 40),
+    );
+    assert!(into.contains("timers.st") && into.contains("Lane › TON"), "{into}");
+}
+
+#[test]
+fn between_two_scans_the_variables_of_the_program_stay_on_the_screen() {
+    let scan = Command::Step(Unit::Scan, Direction::Forward);
+    let text = shown_of(car_park(), &[scan], Language::English, (120, 40));
+    assert!(text.contains("between two scans") && text.contains("variables of CarPark"), "{text}");
+    assert!(text.contains("│cars                                 0│"), "{text}");
+    // In STL they take the place of the bits when they are asked for.
+    let stl = || of_example("star-delta", &["star-delta.awl", "symbols.csv"]);
+    let asked = shown_of(stl(), &[scan, Command::Variables], Language::German, (120, 40));
+    assert!(asked.contains("Variablen von FB 20, DB 20") && asked.contains("DB20.star_time"), "{asked}");
+}
+
+#[test]
+fn timers_counters_and_words_of_the_program_stand_below_its_bits() {
+    let text = shown(&[STEP, STEP, STEP], Language::English, (80, 30));
+    for line in ["│C 0                      0│", "│QW 4           16#0000 (0)│"] {
+        assert!(text.contains(line), "{line}\n{text}");
+    }
+    let stl = of_example("star-delta", &["star-delta.awl", "symbols.csv"]);
+    let text = shown_of(stl, &[STEP, STEP, STEP], Language::English, (120, 40));
+    assert!(text.contains("│T 1                            S5T#0MS│"), "{text}");
+    // What is watched stands once.
+    let watch: Vec<Command> = [vec![Command::Prompt("show ")], "C0".chars().map(Command::Type).collect(), vec![Command::Enter]].concat();
+    let watched = shown(&watch, Language::English, (80, 30));
+    assert!(watched.contains("│C0 = 0") && !watched.contains("│C 0 "), "{watched}");
+}
+
+#[test]
+fn pointers_are_shown_field_by_field_below_the_registers() {
+    let source = "FUNCTION FC 1 : VOID\nVAR_INPUT\n p : POINTER;\n a : ANY;\nEND_VAR\nBEGIN\nNOP 0\nEND_FUNCTION\n\
+        ORGANIZATION_BLOCK OB 1\nBEGIN\nCALL FC 1 (p := P#M 10.0, a := P#DB5.DBX 10.0 BYTE 20);\nEND_ORGANIZATION_BLOCK\n";
+    let mut project = sieben_workspace::project::Project::default();
+    project.add_source(Path::new("main.awl"), source.as_bytes());
+    let build = project.compile(Overrides::default(), false);
+    let text = shown_of(build, &[STEP, Command::RegisterBits], Language::English, (100, 50));
+    for line in ["#p P#M 10.0", "byte 2: area M (16#83)", "#a P#DB5.DBX 10.0 BYTE 20", "bytes 2 and 3: count 20"] {
+        assert!(text.contains(line), "`{line}` is missing in\n{text}");
+    }
 }

@@ -23,27 +23,9 @@ pub(crate) fn halt(halt: &Halt, language: Language) -> &'static str {
 
 /// A command that could not be carried out, as people read it.
 pub(crate) fn refused(refusal: &Refusal, colour: bool, language: Language) -> String {
-    let german = HELP_GERMAN.iter().find(|(code, _)| *code == refusal.problem.code());
-    let help = match language {
-        Language::German => german.map_or(refusal.problem.help(), |(_, help)| help),
-        Language::English => refusal.problem.help(),
-    };
-    failure::render(refusal, colour, pick(language, ERROR), pick(language, HELP_WORD), help)
+    // The messages of the microscope are in its language already.
+    failure::render(refusal, &refusal.message, colour, language)
 }
-
-const ERROR: Text = ["Error", "Fehler"];
-const HELP_WORD: Text = ["Help", "Hilfe"];
-
-/// What to do about a problem, in German; in English the table of problems says it.
-const HELP_GERMAN: [(&str, &str); 7] = [
-    ("P7003", "Eine Adresse, ein Symbol, `DB1.name`, `#name` oder ein Register angeben."),
-    ("P7004", "Einen Wert angeben, der zu dem Namen passt: `I0.0=1`, `MW10=W#16#00FF`."),
-    ("P7040", "`help` zeigt die Befehle."),
-    ("P7041", "So geht es: `FC 1:3` (die dritte Anweisung), `FC 1:marke` oder `main.awl:12` (eine Zeile)."),
-    ("P7125", "Nach dem Doppelpunkt steht ein Format: `MW10:INT`; `sieben explain formats` zeigt alle."),
-    ("P7126", "Ein Format für so viele Bits wählen, wie der Wert hat; `sieben explain formats` zeigt alle."),
-    ("P7042", "Ein Name, eines von =, <>, >, >=, <, <= und ein Wert: `MW10 > 5`."),
-];
 
 /// The line of keys, shortened to what is used most.
 pub(crate) const KEYS: [(&str, Text); 8] = [
@@ -59,9 +41,9 @@ pub(crate) const KEYS: [(&str, Text); 8] = [
 
 /// All keys, for the help.
 pub(crate) const HELP: &[(&str, Text)] = &[
-    ("s o u", ["step one statement, over a call, out of the block", "eine Anweisung, über einen Aufruf, aus dem Baustein"]),
+    ("s i o u", ["step one statement, into the library, over a call, out", "eine Anweisung, in die Bibliothek, über einen Aufruf, hinaus"]),
     ("n b c", ["step to the next network, block, scan", "zum nächsten Netzwerk, Baustein, Zyklus"]),
-    ("S O U N B C", ["the same steps back", "dieselben Schritte zurück"]),
+    ("S I O U N B C", ["the same steps back", "dieselben Schritte zurück"]),
     ("r R", ["run to a breakpoint, run back to one", "bis zu einem Haltepunkt, zurück zu einem"]),
     ("↑ ↓ PgUp PgDn", ["move the cursor", "Schreibmarke bewegen"]),
     ("g", ["run to the line of the cursor", "bis zur Zeile der Schreibmarke"]),
@@ -69,7 +51,7 @@ pub(crate) const HELP: &[(&str, Text)] = &[
     ("⇥", ["between source and bits; ← → choose a bit", "zwischen Quelle und Bits; ← → wählen ein Bit"]),
     ("v", ["bits, or the variables of the block", "Bits oder die Variablen des Bausteins"]),
     ("d", ["the network as a diagram, as ladder, FBD or not", "das Netzwerk als Plan: KOP, FUP oder keiner"]),
-    ("x", ["accumulators and address registers bit by bit", "Akkumulatoren und Adressregister Bit für Bit"]),
+    ("x", ["registers bit by bit, POINTER and ANY field by field", "Register Bit für Bit, POINTER und ANY Feld für Feld"]),
     ("w p f", ["watch a value, print one, find who changed one", "Wert beobachten, zeigen, finden, wer ihn änderte"]),
     (":", ["any command of `sieben step --commands`", "jeder Befehl von `sieben step --commands`"]),
     ("l", ["German", "Englisch"]),

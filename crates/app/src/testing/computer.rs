@@ -7,6 +7,7 @@ use std::time::{Duration, Instant};
 use sieben_cpu::StopRequest;
 use sieben_engine::{Engine, Layout, Program};
 use sieben_jit::StatusBits;
+use sieben_model::language::Language;
 use sieben_workspace::finding::{Finding, Texts};
 use sieben_workspace::testing::{self, Outside};
 
@@ -22,12 +23,14 @@ pub(crate) struct Computer {
     engine: EngineArgument,
     /// The folder for the timing diagrams of tests that fail, as SVG.
     svg: Option<PathBuf>,
+    /// In which it says what is wrong with a program.
+    language: Language,
 }
 
 impl Computer {
     /// It runs programs with this engine, and keeps diagrams in this folder if somebody wants them.
-    pub(crate) fn new(engine: EngineArgument, svg: Option<PathBuf>) -> Self {
-        Self { begun: Instant::now(), engine, svg }
+    pub(crate) fn new(engine: EngineArgument, svg: Option<PathBuf>, language: Language) -> Self {
+        Self { begun: Instant::now(), engine, svg, language }
     }
 }
 
@@ -45,7 +48,7 @@ impl Outside for Computer {
     }
 
     fn show(&self, findings: &[Finding], texts: &Texts) -> Vec<String> {
-        report::parts(findings, texts)
+        report::parts(findings, texts, self.language)
     }
 
     fn keep_diagram(&self, name: &str, draw: &dyn Fn() -> Result<String, String>) -> Option<String> {

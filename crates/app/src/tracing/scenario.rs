@@ -13,7 +13,7 @@ use sieben_workspace::tracing::scenario;
 use crate::failure::{Exit, Failure};
 use crate::report;
 use crate::schedule::ScheduleArguments;
-use crate::{files, output, paths};
+use crate::{files, language, output, paths};
 
 /// Bytes of a scenario at most: a day of a busy plant, and what a computer can hold beside its lines.
 const BYTES_MAX: u64 = 1 << 30;
@@ -58,7 +58,7 @@ fn read_or_report(path: &Path) -> Result<Result<Scenario, Exit>, Failure> {
         }
         Err(Unusable::File(failure)) => Err(failure),
         Err(Unusable::Lines(refusals)) => {
-            refusals.into_iter().for_each(|refusal| output::styled(&Failure::from(refusal).render(output::colour())));
+            refusals.into_iter().for_each(|refusal| output::styled(&Failure::from(refusal).render(output::colour(), language::spoken())));
             Ok(Err(Exit::Usage))
         }
     }

@@ -60,7 +60,7 @@ pub(crate) struct Run {
 
 pub(crate) fn sieben(folder: &Path, arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_sieben"));
-    command.args(arguments).current_dir(folder).env("NO_COLOR", "1").env_remove("RUST_BACKTRACE").stdin(Stdio::null());
+    command.args(arguments).current_dir(folder).env("NO_COLOR", "1").env("LC_ALL", "C").env_remove("RUST_BACKTRACE").stdin(Stdio::null());
     command
 }
 

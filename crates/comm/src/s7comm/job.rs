@@ -53,6 +53,18 @@ pub enum Job {
     Delete(Vec<BlockName>),
 }
 
+impl Job {
+    /// Whether it leaves the CPU as it is.
+    pub fn only_reads(&self) -> bool {
+        match self {
+            Self::Read(_) | Self::SystemStatus { .. } | Self::Clock | Self::BlockCounts | Self::BlockList(_) | Self::BlockInfo(_) => true,
+            Self::Upload(_) | Self::Compress => true,
+            Self::Write(_) | Self::SetClock(_) | Self::Stop | Self::Start(_) | Self::CopyRamToRom | Self::MemoryReset => false,
+            Self::Download(_) | Self::Link(_) | Self::Delete(_) => false,
+        }
+    }
+}
+
 /// What is read or written: consecutive elements of an area.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Variable {

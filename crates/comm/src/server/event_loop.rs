@@ -300,7 +300,7 @@ impl EventLoop {
         let news = is_news.then(|| self.communication(partners));
         let Self { gate, connections, shared, told, scan, .. } = self;
         let mut done = 0;
-        let entered = gate.enter(|plant| {
+        let entered = gate.serve(|plant| {
             *scan = plant.scans;
             if let Some(communication) = news {
                 plant.cpu.set_communication(communication);

@@ -183,7 +183,7 @@ fn item_db(item: &Item) -> Option<u16> {
     match &item.place {
         Place::Operand(operand) => operand_db(operand),
         Place::Bytes(bytes) => bytes.db,
-        Place::TimerStatus(_) | Place::Local(_) | Place::Register(_) | Place::Status => None,
+        Place::TimerStatus(_) | Place::Local(_) | Place::Register(_) | Place::Status | Place::Constant(_) => None,
     }
 }
 

@@ -50,9 +50,9 @@ impl Cpu {
         self.settings.image_errors = how;
     }
 
-    /// Sets where time comes from, from the next scan on.
-    pub fn set_time_source(&mut self, source: TimeSource) {
-        self.settings.time = source;
+    /// Sets where time comes from, from the next scan on; where it came from before.
+    pub fn set_time_source(&mut self, source: TimeSource) -> TimeSource {
+        std::mem::replace(&mut self.settings.time, source)
     }
 
     /// From now on all runs of organization blocks in real time are measured, for [`Self::block_times`]; it costs a look at the clock for each.

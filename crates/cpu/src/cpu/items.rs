@@ -46,6 +46,7 @@ impl Cpu {
                 Ok(Content::Bits(self.registers().get(*register)))
             }
             Place::Status => Ok(Content::Bits(u64::from(self.registers().status().0))),
+            Place::Constant(content) => Ok(content.clone()),
         }
     }
 
@@ -87,7 +88,7 @@ impl Cpu {
             (Place::Operand(operand), Content::Bits(bits)) => {
                 self.modify_operand(operand, u32::try_from(*bits).map_err(|_| AccessError::Value)?)
             }
-            (Place::TimerStatus(_), _) => Err(AccessError::ReadOnly),
+            (Place::TimerStatus(_) | Place::Constant(_), _) => Err(AccessError::ReadOnly),
             (Place::Bytes(bytes), Content::Bytes(values)) => self.set_range(bytes, values),
             (Place::Bytes(bytes), Content::Bits(bits)) if bytes.length <= 8 && !matches!(item.kind.plain(), Kind::Bytes(_)) => {
                 let first = 8 - bytes.length as usize;

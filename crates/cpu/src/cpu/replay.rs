@@ -1,4 +1,4 @@
-//! One scan once more, elsewhere: what it began with and what came in during it is copied, the scan itself is not held up.
+//! What a CPU did once more, elsewhere: what it began with and what came in since is copied, the CPU itself is not held up.
 
 use std::sync::Arc;
 
@@ -11,77 +11,64 @@ use crate::io::{Place, Rack};
 use crate::retain::Declarations;
 use crate::tape::Reading;
 
-/// Most readings of the clock that are kept of one scan.
+/// Most readings of the clock that are kept of one recording.
 const READINGS_MAX: usize = 65_536;
 
-/// A scan with all that it began with and all that came in while it ran.
+/// A CPU at the beginning of a recording.
 #[derive(Debug)]
-pub struct RecordedScan {
+struct Beginning {
     cpu_type: &'static CpuType,
     program: Arc<Program>,
     before: Snapshot,
+    /// Where the modules are.
+    places: Vec<Place>,
+}
+
+/// What a CPU does at a time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Step {
+    /// [`Cpu::scan_with`].
+    Scan,
+    /// [`Cpu::serve_with`].
+    Serve,
+}
+
+/// A step, and where the readings of the clock end that it made.
+#[derive(Clone, Copy, Debug)]
+struct Done {
+    step: Step,
+    readings: usize,
+}
+
+/// Steps of a CPU from one moment on, with all that came in while they ran. Nothing else may have happened to the CPU between them.
+#[derive(Clone, Debug)]
+pub struct Recording {
+    beginning: Arc<Beginning>,
+    steps: Vec<Done>,
     /// What the clock showed, in the order in which it was asked.
     clock: Vec<u64>,
-    /// Where the modules are, and what those said that cannot be copied.
-    places: Vec<Place>,
+    /// What those modules said that cannot be copied.
     readings: Vec<Reading>,
+}
+
+/// One scan with all that it began with and all that came in while it ran.
+#[derive(Debug)]
+pub struct RecordedScan {
+    recording: Recording,
     after: Arc<EndState>,
     report: ScanReport,
 }
 
-/// A CPU that replays scans of others, in the interpreter.
+/// A CPU that replays what others did, in the interpreter.
 #[derive(Default)]
 pub struct Replayer {
     /// The CPU, for the program and the layout that it was made for.
     cpu: Option<Cpu>,
+    /// The recording that it plays, and how many of its steps it has played.
+    at: Option<(Arc<Beginning>, usize)>,
 }
 
-impl Replayer {
-    /// The CPU as the last replay left it.
-    pub fn cpu(&self) -> Option<&Cpu> {
-        self.cpu.as_ref()
-    }
-}
-
-/// What came in while a scan ran: enough to run it again after the one before it.
-#[derive(Debug, Default)]
-pub struct NotedScan {
-    clock: Box<[u64]>,
-    readings: Vec<Reading>,
-}
-
-impl NotedScan {
-    /// Bytes that it takes; an estimate.
-    pub fn bytes(&self) -> usize {
-        size_of::<Self>() + self.clock.len() * size_of::<u64>() + self.readings.iter().map(Reading::bytes).sum::<usize>()
-    }
-
-    /// Runs the scan again on a CPU that stands at the end of the one before, and tells the tracer of its statements.
-    ///
-    /// # Errors
-    /// It cannot be run again.
-    pub fn replay(&self, replayer: &mut Replayer, tracer: &mut dyn Tracer) -> Result<(), NotReplayed> {
-        let Some(cpu) = replayer.cpu.as_mut().filter(|_| self.clock.len() < READINGS_MAX) else { return Err(NotReplayed::TooLong) };
-        // Copies of the modules say it themselves.
-        if !self.readings.is_empty() {
-            cpu.rack.play(self.readings.clone());
-        }
-        cpu.scan_with(&mut played(&self.clock), Some(tracer));
-        Ok(())
-    }
-}
-
-/// A clock that shows again what it showed; at its end it stands still.
-fn played(readings: &[u64]) -> impl FnMut() -> u64 {
-    let mut next = 0;
-    move || {
-        let reading = readings.get(next).or(readings.last()).copied().unwrap_or_default();
-        next += 1;
-        reading
-    }
-}
-
-/// Why a scan cannot be replayed.
+/// Why something cannot be replayed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NotReplayed {
     /// It asked the clock more often than is kept.
@@ -98,28 +85,7 @@ impl std::fmt::Display for NotReplayed {
 
 impl std::error::Error for NotReplayed {}
 
-impl RecordedScan {
-    /// What the scan did.
-    pub fn report(&self) -> ScanReport {
-        self.report
-    }
-
-    /// What the CPU was after the scan: the next recording shares with it what has not changed.
-    pub fn after(&self) -> &Arc<EndState> {
-        &self.after
-    }
-
-    /// Bytes that it takes beside those that it shares with the one before; an estimate.
-    pub fn bytes(&self) -> usize {
-        let readings: usize = self.readings.iter().map(Reading::bytes).sum();
-        size_of::<Self>() + self.before.bytes() + self.clock.len() * size_of::<u64>() + readings + self.places.len() * size_of::<Place>()
-    }
-
-    /// Whether a CPU runs the same program and has copies of all modules in here: the scans after this one need no words of modules.
-    pub fn has_modules(&self) -> bool {
-        self.before.has_modules()
-    }
-
+impl Beginning {
     fn is_for(&self, cpu: &Cpu) -> bool {
         Arc::ptr_eq(&cpu.program, &self.program) && self.before.fits(cpu)
     }
@@ -137,82 +103,171 @@ impl RecordedScan {
         };
         Cpu::new(loaded, Rack::of_places(self.cpu_type, &self.places), self.before.settings().clone())
     }
+}
+
+impl Recording {
+    /// A recording that begins with a CPU as it is now. What did not change since another one began is shared with that.
+    pub fn new(cpu: &Cpu, like: Option<&Self>) -> Self {
+        Self::from(cpu, cpu.snapshot(like.map(|like| &like.beginning.before)))
+    }
+
+    fn from(cpu: &Cpu, before: Snapshot) -> Self {
+        let beginning = Beginning { cpu_type: cpu.cpu_type, program: Arc::clone(&cpu.program), before, places: cpu.rack.places() };
+        Self { beginning: Arc::new(beginning), steps: Vec::new(), clock: Vec::new(), readings: Vec::new() }
+    }
+
+    /// Lets a CPU take one step and records it. `cpu` says where the CPU is in `plant`, `run` takes the step with the clock that it is given.
+    pub fn step<P, R>(
+        &mut self,
+        plant: &mut P,
+        (cpu, step): (impl Fn(&mut P) -> &mut Cpu, Step),
+        clock: &mut dyn FnMut() -> u64,
+        run: impl FnOnce(&mut P, &mut dyn FnMut() -> u64) -> R,
+    ) -> R {
+        let begun = cpu(plant).rack.begin_record();
+        let kept = &mut self.clock;
+        let done = run(plant, &mut || {
+            let now = clock();
+            if kept.len() < READINGS_MAX {
+                kept.push(now);
+            }
+            now
+        });
+        self.readings.append(&mut cpu(plant).rack.end_record(begun));
+        self.steps.push(Done { step, readings: self.clock.len() });
+        done
+    }
+
+    /// How many steps it has.
+    pub fn len(&self) -> usize {
+        self.steps.len()
+    }
+
+    /// Whether it has no step yet.
+    pub fn is_empty(&self) -> bool {
+        self.steps.is_empty()
+    }
+
+    /// Whether it takes no more steps: one of them asked the clock too often to be replayed.
+    pub fn is_full(&self) -> bool {
+        self.clock.len() >= READINGS_MAX
+    }
+
+    /// Whether it is one of this program.
+    pub fn is_of(&self, program: &Arc<Program>) -> bool {
+        Arc::ptr_eq(&self.beginning.program, program)
+    }
+
+    /// The program that runs in it.
+    pub fn program(&self) -> &Arc<Program> {
+        &self.beginning.program
+    }
+
+    /// Whether it begins with a CPU that is as this one: the same memory, timers, counters and mode.
+    pub fn begins_as(&self, cpu: &Cpu) -> bool {
+        self.beginning.before.is_of(cpu)
+    }
+
+    /// The memory that it takes beside what it shares with the one that it was made like; an estimate.
+    pub fn bytes(&self) -> usize {
+        let own = self.steps.len() * size_of::<Done>() + self.clock.len() * size_of::<u64>();
+        self.beginning.before.bytes() + own + self.readings.iter().map(Reading::bytes).sum::<usize>()
+    }
+}
+
+impl Replayer {
+    /// The CPU after so many steps of a recording; of the last one a tracer is told each statement.
+    ///
+    /// # Errors
+    /// One of the steps cannot be taken again.
+    pub fn play(&mut self, recording: &Recording, steps: usize, tracer: Option<&mut dyn Tracer>) -> Result<&Cpu, NotReplayed> {
+        self.replay(recording, steps, tracer).map(|(cpu, _)| cpu)
+    }
+
+    /// As [`Self::play`]; whether the clock was asked as often as in the recording, too.
+    fn replay(&mut self, recording: &Recording, steps: usize, mut tracer: Option<&mut dyn Tracer>) -> Result<(&Cpu, bool), NotReplayed> {
+        let steps = steps.min(recording.len());
+        let readings = |steps: usize| steps.checked_sub(1).map_or(0, |last| recording.steps[last].readings);
+        if readings(steps) >= READINGS_MAX {
+            return Err(NotReplayed::TooLong);
+        }
+        let beginning = &recording.beginning;
+        // The last step is taken again if it is to be told.
+        let reusable = steps - usize::from(tracer.is_some() && steps > 0);
+        let mut played = match self.at.take() {
+            Some((at, played)) if Arc::ptr_eq(&at, beginning) && played <= reusable => Some(played),
+            _ => None,
+        };
+        let known = self.cpu.take().filter(|cpu| beginning.is_for(cpu));
+        let cpu = self.cpu.insert(known.unwrap_or_else(|| {
+            played = None;
+            beginning.cpu()
+        }));
+        let first = played.unwrap_or_else(|| {
+            cpu.go_back_to(&beginning.before);
+            0
+        });
+        // What was recorded of the modules may have become more since.
+        if !beginning.before.has_modules() && first == 0 {
+            cpu.rack.play(recording.readings.clone());
+        } else if !beginning.before.has_modules() {
+            cpu.rack.play_on(&recording.readings);
+        }
+        let mut same = true;
+        for index in first..steps {
+            let Done { step, readings: end } = recording.steps[index];
+            let mut next = readings(index);
+            let mut clock = || {
+                let reading = recording.clock.get(next).or(recording.clock.last()).copied().unwrap_or_default();
+                next += 1;
+                reading
+            };
+            let tracer = if index + 1 == steps { tracer.take() } else { None };
+            match step {
+                Step::Scan => drop(cpu.scan_with(&mut clock, tracer)),
+                Step::Serve => cpu.serve_with(&mut clock, tracer),
+            }
+            same &= next == end;
+        }
+        self.at = Some((Arc::clone(beginning), steps));
+        Ok((cpu, same))
+    }
+}
+
+impl Replayer {
+    /// The CPU as the last replay left it.
+    pub fn cpu(&self) -> Option<&Cpu> {
+        self.cpu.as_ref()
+    }
+}
+
+impl RecordedScan {
+    /// What the scan did.
+    pub fn report(&self) -> ScanReport {
+        self.report
+    }
+
+    /// What the CPU was after the scan: the next recording shares with it what has not changed.
+    pub fn after(&self) -> &Arc<EndState> {
+        &self.after
+    }
 
     /// Runs the scan again and tells the tracer of its statements; whether it ended as the real one did.
     ///
     /// # Errors
     /// It cannot be run again.
     pub fn replay(&self, replayer: &mut Replayer, tracer: &mut dyn Tracer) -> Result<bool, NotReplayed> {
-        if self.clock.len() >= READINGS_MAX {
-            return Err(NotReplayed::TooLong);
-        }
-        let known = replayer.cpu.take().filter(|cpu| self.is_for(cpu));
-        let cpu = replayer.cpu.insert(known.unwrap_or_else(|| self.cpu()));
-        cpu.go_back_to(&self.before);
-        if !self.before.has_modules() {
-            cpu.rack.play(self.readings.clone());
-        }
-        let mut next = 0;
-        let mut clock = || {
-            let reading = self.clock.get(next).or(self.clock.last()).copied().unwrap_or_default();
-            next += 1;
-            reading
-        };
-        cpu.scan_with(&mut clock, Some(tracer));
-        Ok(next == self.clock.len() && self.after.is_of(cpu))
+        let (cpu, same) = replayer.replay(&self.recording, 1, Some(tracer))?;
+        Ok(same && self.after.is_of(cpu))
     }
-}
-
-/// Whether words of modules are noted.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Modules {
-    /// Copies of them say the same again.
-    Copied,
-    /// One of them cannot be copied.
-    Heard,
 }
 
 impl Cpu {
-    /// As [`Self::scan_with`], with what came in for a [`Replayer`] that has run all scans before this one.
-    pub fn scan_noted(&mut self, clock: &mut dyn FnMut() -> u64, modules: Modules) -> (ScanReport, NotedScan) {
-        let recording = (modules == Modules::Heard).then(|| self.rack.begin_record());
-        let mut readings = Vec::with_capacity(4);
-        let mut reading = || {
-            let now = clock();
-            if readings.len() < READINGS_MAX {
-                readings.push(now);
-            }
-            now
-        };
-        let report = self.scan_with(&mut reading, None);
-        let words = recording.map_or_else(Vec::new, |recording| self.rack.end_record(recording));
-        (report, NotedScan { clock: readings.into(), readings: words })
-    }
-
     /// As [`Self::scan_with`], with a recording for a [`Replayer`]. What did not change since the end of the recording `like` is shared with it.
     pub fn scan_recorded(&mut self, clock: &mut dyn FnMut() -> u64, like: Option<&EndState>) -> (ScanReport, RecordedScan) {
-        let recording = self.rack.begin_record();
-        let before = self.snapshot_after(like);
-        let mut readings = Vec::new();
-        let mut reading = || {
-            let now = clock();
-            if readings.len() < READINGS_MAX {
-                readings.push(now);
-            }
-            now
-        };
-        let report = self.scan_with(&mut reading, None);
-        let after = Arc::new(EndState::of(self, &before));
-        let record = RecordedScan {
-            cpu_type: self.cpu_type,
-            program: Arc::clone(&self.program),
-            before,
-            clock: readings,
-            places: self.rack.places(),
-            readings: self.rack.end_record(recording),
-            after,
-            report,
-        };
-        (report, record)
+        let mut recording = Recording::from(self, self.snapshot_after(like));
+        let report = recording.step(self, (|cpu: &mut Self| cpu, Step::Scan), clock, |cpu, clock| cpu.scan_with(clock, None));
+        let after = Arc::new(EndState::of(self, &recording.beginning.before));
+        (report, RecordedScan { recording, after, report })
     }
 }

@@ -193,6 +193,11 @@ impl Snapshot {
         &self.state.settings
     }
 
+    /// Whether a CPU is what the snapshot was taken of, as far as a program can see it.
+    pub(super) fn is_of(&self, cpu: &Cpu) -> bool {
+        self.state.mode == cpu.mode && self.machine.is_of(&cpu.machine)
+    }
+
     /// Whether a CPU has the layout that the snapshot was made with.
     pub(super) fn fits(&self, cpu: &Cpu) -> bool {
         Arc::ptr_eq(&self.machine.layout, &cpu.machine.memory.layout) || *self.machine.layout == *cpu.machine.memory.layout

@@ -6,7 +6,7 @@ use std::ops::Range;
 use crate::interrupts::Interrupt;
 
 /// An input or output module, real or simulated, at byte addresses of the peripheral area.
-pub trait IoModule: Any + Send {
+pub trait IoModule: Any + Send + Sync {
     /// What the user calls it.
     fn name(&self) -> &str;
     /// Input bytes it answers for; empty if it has none.

@@ -78,4 +78,11 @@ impl Rack {
     pub(crate) fn play(&mut self, readings: Vec<Reading>) {
         self.tape = Tape::of(readings);
     }
+
+    /// A run that hears this goes on where it stands; what was recorded may have become more.
+    pub(crate) fn play_on(&mut self, readings: &[Reading]) {
+        let position = self.tape.position();
+        self.play(readings.to_vec());
+        self.tape.go_to(position);
+    }
 }

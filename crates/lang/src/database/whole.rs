@@ -88,7 +88,7 @@ impl Revision<'_> {
         uses.add(&names.items.uses);
         let of_bodies = std::mem::take(&mut bodies.diagnostics);
         diagnostics.extend(of_bodies.into_iter().filter(|diagnostic| compiled.is_of_user(diagnostic.span.file)));
-        compiled.program.names = environment.program_names(&mut diagnostics);
+        compiled.program.names = environment.program_names(&|id| compiled.is_of_library(id), &mut diagnostics);
         diagnostics.extend(self.without_main(&compiled, &checked, &bodies));
         for fix in diagnostics.iter_mut().filter(|diagnostic| diagnostic.problem == Problem::P2046).filter_map(|found| found.fix.as_mut()) {
             // The parser does not know the symbol table.

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use sieben_engine::machine::{Register, Registers};
+use sieben_engine::machine::{Register, Registers, TimerKind};
 use sieben_engine::{
     Context, Engine, Entry, Fault, FaultPlace, Host, Interpreter, Layout, Machine, Reaction, StatementEvent, StopReason, Tracer,
 };
@@ -197,15 +197,18 @@ struct State {
     edge: bool,
     accu1: u32,
     accu2: u32,
+    /// How the timer was started.
+    timer: TimerKind,
 }
 
 /// The states in which an instruction is run, the plainest first.
 fn states(why: Why) -> Vec<State> {
     let mut states = Vec::new();
+    let timer = if let Why::Timer(kind) = why { kind } else { TimerKind::default() };
     for &(accu2, accu1) in accumulators(why) {
         for (rlo, fc, or) in [(1, 1, 0), (0, 1, 0), (1, 0, 0), (1, 1, 1)] {
             for (bit, edge) in [(1, false), (0, false), (1, true), (0, true)] {
-                states.push(State { rlo, fc, or, bit, edge, accu1, accu2 });
+                states.push(State { rlo, fc, or, bit, edge, accu1, accu2, timer });
             }
         }
     }
@@ -280,9 +283,11 @@ impl State {
         let timer = &mut machine.timers[1];
         timer.start_edge = self.edge;
         timer.enable_edge = self.edge;
+        timer.kind = self.timer;
         timer.value = 250;
         timer.running = self.bit == 1;
-        timer.status = self.bit == 1;
+        // While an on-delay runs its status is 0.
+        timer.status = self.bit == 1 && !matches!(self.timer, TimerKind::OnDelay | TimerKind::RetentiveOnDelay);
         timer.started_us = machine.clock_us;
         let counter = &mut machine.counters[1];
         counter.count = if self.bit == 1 {

@@ -13,7 +13,7 @@ use crate::compiled::Compiled;
 use crate::sentences::Surroundings;
 use crate::sentences::table::Sentence;
 use crate::sentences::text::one_line;
-pub use crate::sentences::{Language, Moment};
+pub use crate::sentences::{Language, Moment, Named};
 
 /// Says why statements of a program did what they did.
 #[derive(Clone, Copy, Debug)]
@@ -34,6 +34,12 @@ impl<'a> Reasons<'a> {
     pub fn sentence(&self, moment: &Moment<'_>, language: Language) -> String {
         let body = self.compiled.bodies.get(&moment.event.place.block);
         body.map_or_else(String::new, |body| body.why(self.around, moment, language))
+    }
+
+    /// The variables that a statement names, with what they hold after it; none in STL, whose statements work on registers.
+    pub fn named(&self, moment: &Moment<'_>, language: Language) -> Vec<Named> {
+        let body = self.compiled.bodies.get(&moment.event.place.block);
+        body.map_or_else(Vec::new, |body| body.named(self.around, moment, language))
     }
 
     /// Which sentences the reason of a statement is made of, as [`Why::forms`](crate::stl::why::Why::forms) lists them; a fault has one of its own. Only STL tells.

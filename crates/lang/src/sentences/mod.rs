@@ -8,40 +8,20 @@ use std::collections::BTreeMap;
 
 use sieben_engine::{Machine, Program, StatementEvent};
 use sieben_model::block::BlockId;
+pub use sieben_model::language::Language;
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::source::{FileId, Sources, Span};
 use sieben_model::symbols::SymbolTable;
 
-/// The language of a sentence; that of the mnemonics is the source's own.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Language {
-    /// English.
-    #[default]
-    English,
-    /// German.
-    German,
-}
-
-impl Language {
-    /// Both.
-    pub const ALL: [Self; 2] = [Self::English, Self::German];
-
-    /// The language with this code, `en` or `de`.
-    pub fn from_code(code: &str) -> Option<Self> {
-        match code {
-            "en" => Some(Self::English),
-            "de" => Some(Self::German),
-            _ => None,
-        }
-    }
-
-    /// Its code, `en` or `de`.
-    pub fn code(self) -> &'static str {
-        match self {
-            Self::English => "en",
-            Self::German => "de",
-        }
-    }
+/// A variable that a statement names.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Named {
+    /// As it is written: `list[i]`.
+    pub name: String,
+    /// The plain number or truth value that it holds after the statement; `None` for what is no single value.
+    pub value: Option<String>,
+    /// The block that the statement calls with it as its instance.
+    pub instance_of: Option<BlockId>,
 }
 
 /// One executed statement, with the machine around it.

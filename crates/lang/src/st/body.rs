@@ -4,13 +4,13 @@ use sieben_engine::CodeBlock;
 use sieben_model::address::Area;
 use sieben_model::block::BlockId;
 
-use super::reason::sentence;
+use super::reason::{named, sentence};
 use super::references::references_of;
 use super::tree::TypedBlock;
 use crate::coverage::Countable;
 use crate::references::{Around, Reference};
 use crate::sentences::table::Sentence;
-use crate::sentences::{Language, Moment, Surroundings};
+use crate::sentences::{Language, Moment, Named, Surroundings};
 
 impl TypedBlock {
     pub(crate) fn references(&self, id: BlockId, around: Around<'_>) -> Vec<Reference> {
@@ -69,6 +69,15 @@ impl TypedBlock {
 
     pub(crate) fn why(&self, around: Surroundings<'_>, moment: &Moment<'_>, language: Language) -> String {
         sentence(around, self, moment, language)
+    }
+
+    pub(crate) fn named(&self, around: Surroundings<'_>, moment: &Moment<'_>, language: Language) -> Vec<Named> {
+        named(around, self, moment, language)
+    }
+
+    /// RLO, accumulators and what else an instruction works on never show in ST.
+    pub(crate) fn works_on_registers(&self) -> bool {
+        false
     }
 
     /// A sentence of ST is chosen by the steps around the statement too.

@@ -46,6 +46,10 @@ impl ResolvedBlock {
         false
     }
 
+    pub(crate) fn works_on_registers(&self) -> bool {
+        true
+    }
+
     pub(crate) fn is_called_by_name(&self) -> bool {
         false
     }

@@ -32,6 +32,13 @@ pub enum Shown {
     Status(StatusWord),
     /// A constant in the notation of its type.
     Text(String),
+    /// What programs get in one notation and people in another: a DATE or DT of 64 bits as `LD#…` and `D#…`, a POINTER as bytes and as `P#…`.
+    Twofold {
+        /// To programs.
+        plain: String,
+        /// To people.
+        readable: String,
+    },
     /// The characters of a WSTRING.
     Wide(String),
     /// A value in the format that a user asked for.
@@ -53,6 +60,7 @@ impl Shown {
             Self::TimeLeft(word) => literal::format_as(&DataType::S5Time, u64::from(*word)),
             Self::Real(value) => spell_real(*value),
             Self::LongReal(value) => spell_long_real(*value),
+            Self::Twofold { readable, .. } => readable.clone(),
             Self::Wide(text) => literal::spell_wide(text),
             shown => shown.to_string(),
         }
@@ -74,7 +82,7 @@ impl fmt::Display for Shown {
             Self::Real(value) => f.write_str(&literal::format_as(&DataType::Real, u64::from(value.to_bits()))),
             Self::LongReal(value) => f.write_str(&literal::format_as(&DataType::LongReal, value.to_bits())),
             Self::Status(word) => write!(f, "{word}"),
-            Self::Text(text) => f.write_str(text),
+            Self::Text(text) | Self::Twofold { plain: text, .. } => f.write_str(text),
             Self::Wide(text) => write!(f, "'{text}'"),
             Self::Formatted(formatted) => f.write_str(&formatted.text),
         }
@@ -87,6 +95,10 @@ impl Shown {
         match data_type.map(DataType::base) {
             _ if width == 1 => Self::Bit(bits != 0),
             Some(DataType::LongReal) => Self::LongReal(f64::from_bits(bits)),
+            Some(DataType::LongDate | DataType::LongDateAndTime) if data_type.is_some_and(|of| !of.counts_nanoseconds()) => {
+                let plain = literal::format_as(data_type.unwrap_or(&DataType::Word), bits);
+                Self::Twofold { readable: plain.trim_start_matches('L').to_owned(), plain }
+            }
             Some(_) if data_type.is_some_and(literal::elsewhere::is_elsewhere) => {
                 let text = literal::format_as(data_type.unwrap_or(&DataType::Word), bits);
                 // Integers of up to 32 bits are numbers to every reader of JSON, those of 64 bits are not.

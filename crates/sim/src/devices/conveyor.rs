@@ -1,7 +1,7 @@
 //! A conveyor belt that runs both ways, with parts on it, light barriers at its ends and a scale.
 
 use super::random::Random;
-use super::{Kind, Process, STEP_US, actuator, hand, is_set, measured, parameter, put_bits, put_word, sensor};
+use super::{Kind, Process, STEP_US, actuator, button, is_set, measured, parameter, put_bits, put_word, sensor};
 
 /// The row of the conveyor in the table of kinds.
 pub(super) const KIND: Kind = Kind {
@@ -17,7 +17,7 @@ pub(super) const KIND: Kind = Kind {
         sensor("middle", 0, 1, "light barrier in the middle"),
         sensor("right_end", 0, 2, "light barrier at the right end"),
         sensor("running", 0, 3, "speed monitor of the belt, 1 above 80 % of the speed, in either direction"),
-        hand("put", 0, 4, "a rising edge puts a part on at the left end"),
+        button("put", 0, 4, "a rising edge puts a part on at the left end"),
         measured("weight", 2, "g", 1.0, "weight of the part at the right end in grams, 0 without one"),
         actuator("right", 0, 5, "1 moves the belt to the right"),
         actuator("left", 0, 6, "1 moves the belt to the left"),
@@ -30,6 +30,8 @@ pub(super) const KIND: Kind = Kind {
         parameter("weight", 500.0, (1.0, 30_000.0), "g", "mean weight of a part"),
         parameter("spread", 20.0, (0.0, 1000.0), "g", "how much the weight differs at most"),
     ],
+    arrange: None,
+    shown: &[],
     make: |values, seed| {
         let mut random = Random::new(seed);
         let until_part = if values[2] > 0.0 { random.gap(values[2]) } else { u64::MAX };
@@ -52,9 +54,14 @@ pub(super) const KIND: Kind = Kind {
 
 const DT: f64 = STEP_US as f64 / 1e6;
 /// Length of a part in metres.
-const PART: f64 = 0.2;
+pub const PART: f64 = 0.2;
 /// Seconds until the belt has its speed.
 const RAMP: f64 = 0.3;
+/// Where the middles of the first parts are, from the right: metres from the left end. A belt of 3 m has no more.
+pub const PART_PLACES: [&str; 20] = [
+    "part_1", "part_2", "part_3", "part_4", "part_5", "part_6", "part_7", "part_8", "part_9", "part_10", "part_11", "part_12", "part_13",
+    "part_14", "part_15", "part_16", "part_17", "part_18", "part_19", "part_20",
+];
 /// Parts on the belt: more than fit next to each other on the longest.
 const PARTS_MAX: usize = 1000;
 
@@ -132,12 +139,14 @@ impl Process for Conveyor {
         put_word(into, 2, self.part_at(self.length).map_or(0.0, |part| part.grams));
     }
     fn state(&self) -> Vec<(&'static str, f64, &'static str)> {
-        vec![
+        let mut rows = vec![
             ("parts", self.parts.len() as f64, ""),
             ("delivered", self.delivered as f64, ""),
             ("dropped", self.dropped as f64, ""),
             ("velocity", self.velocity, "m/s"),
-        ]
+        ];
+        rows.extend(PART_PLACES.into_iter().zip(&self.parts).map(|(name, part)| (name, part.at, "m")));
+        rows
     }
     fn copy(&self) -> Box<dyn Process> {
         Box::new(self.clone())

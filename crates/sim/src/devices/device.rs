@@ -4,7 +4,8 @@ use std::ops::Range;
 
 use sieben_cpu::IoModule;
 
-use super::{Attention, Direction, Kind, Process, STEP_US};
+use super::panel::output_bit;
+use super::{Attention, Direction, Kind, Process, STEP_US, Signal, Terminals};
 
 /// Steps in one go: an hour. Time beyond them does not pass for the plant, so that no jump of the clock can keep a CPU busy.
 const STEPS_MAX: u64 = 3_600_000_000 / STEP_US;
@@ -32,11 +33,23 @@ impl DeviceSettings {
         let parameters = kind.parameters.iter().map(|parameter| parameter.usual).collect();
         Self { kind, name: kind.name.to_owned(), input: 0, output: 0, seed: 1, parameters }
     }
+    /// Its terminals, at its addresses.
+    ///
+    /// # Errors
+    /// The parameters do not go together; the message says which.
+    pub fn terminals(&self) -> Result<Terminals, String> {
+        let mut terminals = self.kind.terminals(&self.parameters)?;
+        for (range, first) in [(&mut terminals.inputs, self.input), (&mut terminals.outputs, self.output)] {
+            *range = range.start.saturating_add(first)..range.end.saturating_add(first);
+        }
+        Ok(terminals)
+    }
 }
 
 /// A simulated device.
 pub struct Device {
     settings: DeviceSettings,
+    terminals: Terminals,
     process: Box<dyn Process>,
     commands: Vec<u8>,
     /// Input bytes as people have set them, and at the sensors' bits nothing.
@@ -54,21 +67,49 @@ impl Device {
     /// A device at rest.
     pub fn new(settings: DeviceSettings) -> Self {
         let kind = settings.kind;
-        let inputs = vec![0; kind.input_bytes as usize];
+        // Parameters that do not go together were reported when the project was read.
+        let terminals = settings.terminals().unwrap_or_else(|_| DeviceSettings::new(kind).terminals().unwrap_or_else(|_| kind.listed()));
+        let inputs = vec![0; terminals.inputs.len()];
         let (mut hands, mut hand_mask) = (inputs.clone(), inputs.clone());
-        for signal in kind.signals {
-            if let Direction::Hand { closed } = signal.direction {
+        for signal in terminals.signals.iter() {
+            if let Direction::Hand { closed, .. } = signal.direction {
                 signal.put(&mut hands, i16::from(closed));
-                signal.put(&mut hand_mask, 1);
+                signal.put(&mut hand_mask, -1);
             }
         }
         let process = (kind.make)(&settings.parameters, settings.seed);
-        let commands = vec![0; kind.output_bytes as usize];
-        Self { settings, process, commands, hands, hand_mask, held_mask: inputs.clone(), held: inputs, rest_us: 0, failed: false }
+        let commands = vec![0; terminals.outputs.len()];
+        Self {
+            settings,
+            terminals,
+            process,
+            commands,
+            hands,
+            hand_mask,
+            held_mask: inputs.clone(),
+            held: inputs,
+            rest_us: 0,
+            failed: false,
+        }
     }
     /// How it is built.
     pub fn settings(&self) -> &DeviceSettings {
         &self.settings
+    }
+    /// Its signals; places count from the first byte of [`IoModule::inputs`] or [`IoModule::outputs`].
+    pub fn signals(&self) -> &[Signal] {
+        &self.terminals.signals
+    }
+    /// What it shows of outputs that need not be its own, in the form of [`Self::state`], out of all bytes that were put out.
+    pub fn shown(&self, outputs: &[u8]) -> Vec<(&'static str, f64, &'static str)> {
+        let kind = self.settings.kind;
+        let rows = kind.shown.iter().filter_map(|name| {
+            let index = kind.parameters.iter().position(|row| row.name == *name)?;
+            let (byte, bit) = output_bit(*self.settings.parameters.get(index)?)?;
+            let byte = outputs.get(byte as usize).copied().unwrap_or(0);
+            Some((*name, f64::from(byte >> bit & 1), ""))
+        });
+        rows.collect()
     }
     /// What only the plant knows: name, value, unit.
     pub fn state(&self) -> Vec<(&'static str, f64, &'static str)> {
@@ -97,6 +138,7 @@ impl Clone for Device {
     fn clone(&self) -> Self {
         Self {
             settings: self.settings.clone(),
+            terminals: self.terminals.clone(),
             process: self.process.copy(),
             commands: self.commands.clone(),
             hands: self.hands.clone(),
@@ -117,10 +159,10 @@ impl IoModule for Device {
         &self.settings.name
     }
     fn inputs(&self) -> Range<u32> {
-        self.settings.input..self.settings.input.saturating_add(self.settings.kind.input_bytes)
+        self.terminals.inputs.clone()
     }
     fn outputs(&self) -> Range<u32> {
-        self.settings.output..self.settings.output.saturating_add(self.settings.kind.output_bytes)
+        self.terminals.outputs.clone()
     }
     fn read(&self, offset: u32, into: &mut [u8]) {
         let start = offset as usize;
@@ -165,7 +207,7 @@ mod tests {
         for kind in Kind::ALL {
             let run = |seed, cut: u64| {
                 let mut device = Device::new(DeviceSettings { seed, ..DeviceSettings::new(kind) });
-                device.write(0, &vec![0xFF; kind.output_bytes as usize]);
+                device.write(0, &vec![0xFF; device.outputs().len()]);
                 for _ in 0..20_000_000 / cut {
                     device.advance(cut);
                 }
@@ -180,7 +222,7 @@ mod tests {
     fn a_copy_goes_on_as_the_original() {
         for kind in Kind::ALL {
             let mut device = Device::new(DeviceSettings::new(kind));
-            device.write(0, &vec![0x55; kind.output_bytes as usize]);
+            device.write(0, &vec![0x55; device.outputs().len()]);
             device.advance(3_000_500);
             let mut copy = device.clone();
             device.advance(9_999_700);
@@ -192,9 +234,9 @@ mod tests {
     #[test]
     fn what_is_set_from_outside_stays() {
         for kind in Kind::ALL {
-            for signal in kind.signals.iter().filter(|signal| signal.is_input()) {
+            for signal in Device::new(DeviceSettings::new(kind)).signals().iter().filter(|signal| signal.is_input()) {
                 let mut device = Device::new(DeviceSettings::new(kind));
-                let mut mask = vec![0; kind.input_bytes as usize];
+                let mut mask = vec![0; device.inputs().len()];
                 signal.put(&mut mask, -1);
                 for value in [mask.clone(), vec![0; mask.len()]] {
                     for (offset, (&mask, &value)) in mask.iter().zip(&value).enumerate() {

@@ -14,7 +14,7 @@ use sieben_cpu::IoModule;
 use sieben_model::bcd;
 
 use super::random::Random;
-use super::{Attention, Kind, Process, STEP_US, actuator, closed_hand, commanded, hand, is_set, parameter, put_bits, sensor};
+use super::{Attention, Kind, Process, STEP_US, actuator, button, closed_button, commanded, is_set, parameter, put_bits, sensor};
 
 /// Microlitres in a litre.
 const LITRE: u64 = 1_000_000;
@@ -234,8 +234,8 @@ pub(super) const KIND: Kind = Kind {
     input_bytes: 1,
     output_bytes: OUTPUT_BYTES,
     signals: &[
-        hand("start", 0, 0, "START button, 1 while pressed"),
-        closed_hand("stop", 0, 1, "STOP button, normally closed: 0 while pressed"),
+        button("start", 0, 0, "START button, 1 while pressed"),
+        closed_button("stop", 0, 1, "STOP button, normally closed: 0 while pressed"),
         sensor("flow", 0, 7, "flow meter, one pulse per litre"),
         actuator("valve", 0, 0, "1 opens the valve"),
         commanded("display", DISPLAY as u32, "BCD", 1.0, "display of four decimal digits"),
@@ -246,6 +246,8 @@ pub(super) const KIND: Kind = Kind {
         parameter("supply", 1000.0, (1.0, 1_000_000.0), "l", "what the supply tank holds at the beginning"),
         parameter("vessel", 200.0, (1.0, 1_000_000.0), "l", "what the vessel holds"),
     ],
+    arrange: None,
+    shown: &[],
     make: |values, seed| {
         Box::new(DosingPlant::new(DosingSettings {
             flow_ml_per_s: (values[0] * 1000.0) as u32,
@@ -274,6 +276,7 @@ impl Process for DosingPlant {
             ("supply", self.supply_litres(), "l"),
             ("vessel", self.vessel_litres(), "l"),
             ("spilled", self.spilled_litres(), "l"),
+            ("flow", self.flow(), "l/s"),
         ]
     }
     fn copy(&self) -> Box<dyn Process> {

@@ -1,6 +1,8 @@
 //! An elevator with four floors, a door, buttons on the floors and in the car.
 
-use super::{Kind, Process, STEP_US, actuator, closed_hand, commanded, hand, is_set, measured, parameter, put_bits, put_word, sensor};
+use super::{
+    Kind, Process, STEP_US, actuator, button, closed_switch, commanded, is_set, measured, parameter, put_bits, put_word, sensor, switch,
+};
 
 /// The row of the elevator in the table of kinds.
 pub(super) const KIND: Kind = Kind {
@@ -20,16 +22,16 @@ pub(super) const KIND: Kind = Kind {
         sensor("limit", 0, 5, "limit switch, normally closed: 0 beyond the outer floors"),
         sensor("door_open", 0, 6, "the door is open"),
         sensor("door_shut", 0, 7, "the door is shut"),
-        hand("call_1", 1, 0, "button on floor 1"),
-        hand("call_2", 1, 1, "button on floor 2"),
-        hand("call_3", 1, 2, "button on floor 3"),
-        hand("call_4", 1, 3, "button on floor 4"),
-        hand("car_1", 1, 4, "button in the car for floor 1"),
-        hand("car_2", 1, 5, "button in the car for floor 2"),
-        hand("car_3", 1, 6, "button in the car for floor 3"),
-        hand("car_4", 1, 7, "button in the car for floor 4"),
-        closed_hand("emergency", 2, 0, "emergency stop in the car, normally closed: 0 while pressed"),
-        hand("barrier", 2, 1, "light barrier of the door, 1 = something is in it"),
+        button("call_1", 1, 0, "button on floor 1"),
+        button("call_2", 1, 1, "button on floor 2"),
+        button("call_3", 1, 2, "button on floor 3"),
+        button("call_4", 1, 3, "button on floor 4"),
+        button("car_1", 1, 4, "button in the car for floor 1"),
+        button("car_2", 1, 5, "button in the car for floor 2"),
+        button("car_3", 1, 6, "button in the car for floor 3"),
+        button("car_4", 1, 7, "button in the car for floor 4"),
+        closed_switch("emergency", 2, 0, "emergency stop in the car, normally closed: 0 while pressed"),
+        switch("barrier", 2, 1, "light barrier of the door, 1 = something is in it"),
         measured("position", 4, "mm", 1.0, "height above floor 1 in millimetres"),
         actuator("up", 0, 0, "motor upwards"),
         actuator("down", 0, 1, "motor downwards"),
@@ -49,6 +51,8 @@ pub(super) const KIND: Kind = Kind {
         parameter("door_time", 2.0, (0.1, 20.0), "s", "how long the door takes to open or shut"),
         parameter("floor", 1.0, (1.0, 4.0), "", "where the car is at the beginning"),
     ],
+    arrange: None,
+    shown: &[],
     make: |values, _seed| {
         Box::new(Elevator {
             height: values[0],

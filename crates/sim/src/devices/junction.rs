@@ -1,7 +1,7 @@
 //! A junction of a main road, a side road and a crossing for pedestrians, with lamps, detectors and traffic.
 
 use super::random::Random;
-use super::{Kind, Process, STEP_US, actuator, hand, is_set, parameter, put_bits, sensor};
+use super::{Kind, Process, STEP_US, actuator, button, is_set, parameter, put_bits, sensor};
 
 /// The row of the junction in the table of kinds.
 pub(super) const KIND: Kind = Kind {
@@ -16,7 +16,7 @@ pub(super) const KIND: Kind = Kind {
         sensor("main_car", 0, 0, "detector of the main road, 1 while a car waits"),
         sensor("side_car", 0, 1, "detector of the side road, 1 while a car waits"),
         sensor("request", 0, 2, "button of the pedestrians, 1 while one of them holds it"),
-        hand("button", 0, 3, "a second button for pedestrians, pressed by hand"),
+        button("button", 0, 3, "a second button for pedestrians, pressed by hand"),
         sensor("main_red_lit", 0, 4, "lamp monitor: the red lamp of the main road draws current"),
         sensor("side_red_lit", 0, 5, "lamp monitor: the red lamp of the side road draws current"),
         actuator("main_red", 0, 0, "red lamp of the main road"),
@@ -33,6 +33,8 @@ pub(super) const KIND: Kind = Kind {
         parameter("side_gap", 10.0, (0.0, 3600.0), "s", "mean time between two cars on the side road; 0 = none come"),
         parameter("walk_gap", 30.0, (0.0, 3600.0), "s", "mean time between two pedestrians; 0 = none come"),
     ],
+    arrange: None,
+    shown: &[],
     make: |values, seed| {
         let mut random = Random::new(seed);
         let stream = |gap_s: f64, random: &mut Random| Stream {
@@ -41,6 +43,7 @@ pub(super) const KIND: Kind = Kind {
             waiting: 0,
             passed: 0,
             until_start: 0,
+            crossing: 0,
         };
         let streams = [stream(values[0], &mut random), stream(values[1], &mut random), stream(values[2], &mut random)];
         Box::new(Junction { streams, lamps: 0, pressing: 0, conflict_steps: 0, random })
@@ -51,6 +54,8 @@ pub(super) const KIND: Kind = Kind {
 const HEADWAY: u64 = 2_000_000 / STEP_US;
 /// How long a pedestrian holds the button.
 const PRESS: u64 = 500_000 / STEP_US;
+/// Steps that a car of the main road, one of the side road and a pedestrian need to get across.
+const CROSSING: [u64; 3] = [HEADWAY, HEADWAY, 2 * HEADWAY];
 /// Cars in a queue: the road is no longer.
 const QUEUE_MAX: u32 = 200;
 const MAIN: usize = 0;
@@ -65,6 +70,8 @@ struct Stream {
     passed: u64,
     /// Steps until the next car of the queue starts.
     until_start: u64,
+    /// Steps until those who started last are across.
+    crossing: u64,
 }
 
 #[derive(Clone)]
@@ -95,12 +102,14 @@ impl Process for Junction {
                 }
             }
             stream.until_start = stream.until_start.saturating_sub(1);
+            stream.crossing = stream.crossing.saturating_sub(1);
             let may_go = greens[index] && !(index < WALK && lit(index as u8 * 3));
             if may_go && stream.waiting > 0 && stream.until_start == 0 {
                 let going = if index == WALK { stream.waiting } else { 1 };
                 stream.waiting -= going;
                 stream.passed += u64::from(going);
                 stream.until_start = if index == WALK { 0 } else { HEADWAY };
+                stream.crossing = CROSSING[index];
             }
         }
     }
@@ -110,6 +119,10 @@ impl Process for Junction {
         put_bits(&mut into[0], &[(0, waits(MAIN)), (1, waits(SIDE)), (2, self.pressing > 0), (4, lit(0)), (5, lit(3))]);
     }
     fn state(&self) -> Vec<(&'static str, f64, &'static str)> {
+        let across = |index: usize| match self.streams[index].crossing {
+            0 => 0.0,
+            left => 100.0 - left as f64 / CROSSING[index] as f64 * 100.0,
+        };
         vec![
             ("main_queue", f64::from(self.streams[MAIN].waiting), ""),
             ("side_queue", f64::from(self.streams[SIDE].waiting), ""),
@@ -117,6 +130,10 @@ impl Process for Junction {
             ("main_passed", self.streams[MAIN].passed as f64, ""),
             ("side_passed", self.streams[SIDE].passed as f64, ""),
             ("walk_passed", self.streams[WALK].passed as f64, ""),
+            // How far those who started last have come; 0 if they are across.
+            ("main_crossing", across(MAIN), "%"),
+            ("side_crossing", across(SIDE), "%"),
+            ("walk_crossing", across(WALK), "%"),
             ("conflict", self.conflict_steps as f64 * STEP_US as f64 / 1e6, "s"),
         ]
     }

@@ -6,11 +6,14 @@ pub mod dosing;
 pub mod elevator;
 pub mod junction;
 pub mod motor;
+pub mod panel;
 pub mod random;
 pub mod tank;
 pub mod thermal;
 
+use std::borrow::Cow;
 use std::fmt;
+use std::ops::Range;
 
 pub use device::{Device, DeviceSettings};
 pub use dosing::{Button, DosingPlant, DosingSettings};
@@ -22,7 +25,7 @@ pub const STEP_US: u64 = 1_000;
 pub const ANALOG_MAX: f64 = 27_648.0;
 
 /// The world behind the terminals of a device. It knows no addresses: bytes count from the first of the device.
-pub trait Process: Send {
+pub trait Process: Send + Sync {
     /// One step of [`STEP_US`] passes with these output bytes; `hands` are the input bytes as people and things around have set them.
     fn step(&mut self, commands: &[u8], hands: &[u8]);
     /// Writes what its sensors see; bits that belong to people stay as they are.
@@ -53,11 +56,22 @@ pub enum Direction {
     Sensor,
     /// From people or things around the plant to the CPU: set from outside, the process does not change it.
     Hand {
+        /// What people do with it.
+        operated: Operated,
         /// The value at the beginning: `true` for what is normally closed.
         closed: bool,
     },
     /// From the CPU to an actuator.
     Actuator,
+}
+
+/// How a signal that belongs to people is operated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Operated {
+    /// Pressed, and it comes back when it is let go.
+    Button,
+    /// Put, and it stays so.
+    Switch,
 }
 
 /// Where a signal lies among the bytes of its device.
@@ -127,11 +141,17 @@ impl Signal {
 const fn sensor(name: &'static str, byte: u32, bit: u8, about: &'static str) -> Signal {
     Signal::bit(Direction::Sensor, name, byte, bit, about)
 }
-const fn hand(name: &'static str, byte: u32, bit: u8, about: &'static str) -> Signal {
-    Signal::bit(Direction::Hand { closed: false }, name, byte, bit, about)
+const fn button(name: &'static str, byte: u32, bit: u8, about: &'static str) -> Signal {
+    Signal::bit(Direction::Hand { operated: Operated::Button, closed: false }, name, byte, bit, about)
 }
-const fn closed_hand(name: &'static str, byte: u32, bit: u8, about: &'static str) -> Signal {
-    Signal::bit(Direction::Hand { closed: true }, name, byte, bit, about)
+const fn closed_button(name: &'static str, byte: u32, bit: u8, about: &'static str) -> Signal {
+    Signal::bit(Direction::Hand { operated: Operated::Button, closed: true }, name, byte, bit, about)
+}
+const fn switch(name: &'static str, byte: u32, bit: u8, about: &'static str) -> Signal {
+    Signal::bit(Direction::Hand { operated: Operated::Switch, closed: false }, name, byte, bit, about)
+}
+const fn closed_switch(name: &'static str, byte: u32, bit: u8, about: &'static str) -> Signal {
+    Signal::bit(Direction::Hand { operated: Operated::Switch, closed: true }, name, byte, bit, about)
 }
 const fn actuator(name: &'static str, byte: u32, bit: u8, about: &'static str) -> Signal {
     Signal::bit(Direction::Actuator, name, byte, bit, about)
@@ -164,6 +184,20 @@ const fn parameter(name: &'static str, usual: f64, range: (f64, f64), unit: &'st
     Parameter { name, usual, least: range.0, most: range.1, unit, about }
 }
 
+/// The terminals of one device.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Terminals {
+    /// Bytes that the CPU reads.
+    pub inputs: Range<u32>,
+    /// Bytes that the CPU writes.
+    pub outputs: Range<u32>,
+    /// The signals; places count from the first byte of their direction.
+    pub signals: Cow<'static, [Signal]>,
+}
+
+/// Signals at the addresses that parameters choose, or a message about these.
+type Arrange = fn(&[f64]) -> Result<Vec<Signal>, String>;
+
 /// A kind of device.
 pub struct Kind {
     /// What `kind` in `sieben.toml` says.
@@ -180,18 +214,48 @@ pub struct Kind {
     pub signals: &'static [Signal],
     /// What a project can choose.
     pub parameters: &'static [Parameter],
+    /// The signals with these parameters, where they choose the addresses; places count from byte 0.
+    arrange: Option<Arrange>,
+    /// Parameters that name an output bit of whichever module, which the device shows.
+    pub shown: &'static [&'static str],
     /// Makes one with these parameters, in the order of the table, and this seed.
     make: fn(&[f64], u64) -> Box<dyn Process>,
 }
 
 impl Kind {
     /// All kinds, by name.
-    pub const ALL: [&'static Kind; 7] =
-        [&conveyor::KIND, &dosing::KIND, &elevator::KIND, &junction::KIND, &motor::KIND, &tank::KIND, &thermal::KIND];
+    pub const ALL: [&'static Kind; 8] =
+        [&conveyor::KIND, &dosing::KIND, &elevator::KIND, &junction::KIND, &motor::KIND, &panel::KIND, &tank::KIND, &thermal::KIND];
 
     /// The kind of this name.
     pub fn by_name(name: &str) -> Option<&'static Self> {
         Self::ALL.into_iter().find(|kind| kind.name == name)
+    }
+    /// The terminals of a device of this kind with these parameters, at byte 0.
+    ///
+    /// # Errors
+    /// The parameters do not go together; the message says which.
+    pub fn terminals(&self, parameters: &[f64]) -> Result<Terminals, String> {
+        let Some(arrange) = self.arrange else { return Ok(self.listed()) };
+        let mut signals = arrange(parameters)?;
+        let range = |inputs: bool| {
+            let places = signals.iter().filter(|signal| signal.is_input() == inputs).map(|signal| match signal.place {
+                Place::Bit(byte, _) => byte..byte + 1,
+                Place::Word(byte) => byte..byte + 2,
+            });
+            places.reduce(|all, one| all.start.min(one.start)..all.end.max(one.end)).unwrap_or(0..0)
+        };
+        let (inputs, outputs) = (range(true), range(false));
+        for signal in &mut signals {
+            let first = if signal.is_input() { inputs.start } else { outputs.start };
+            match &mut signal.place {
+                Place::Bit(byte, _) | Place::Word(byte) => *byte -= first,
+            }
+        }
+        Ok(Terminals { inputs, outputs, signals: signals.into() })
+    }
+    fn listed(&self) -> Terminals {
+        Terminals { inputs: 0..self.input_bytes, outputs: 0..self.output_bytes, signals: self.signals.into() }
     }
     /// A signal by its name.
     pub fn signal(&self, name: &str) -> Option<&'static Signal> {

@@ -1,6 +1,6 @@
 //! A motor behind contactors for star and delta, with feedback, overload relay, current and speed.
 
-use super::{ANALOG_MAX, Kind, Process, STEP_US, actuator, hand, is_set, measured, parameter, put_bits, put_word, sensor};
+use super::{ANALOG_MAX, Kind, Process, STEP_US, actuator, button, is_set, measured, parameter, put_bits, put_word, sensor};
 
 /// The row of the motor in the table of kinds.
 pub(super) const KIND: Kind = Kind {
@@ -18,7 +18,7 @@ pub(super) const KIND: Kind = Kind {
         sensor("delta_on", 0, 2, "auxiliary contact of the delta contactor, 1 = closed"),
         sensor("overload", 0, 3, "overload relay, normally closed: 0 = tripped"),
         sensor("turning", 0, 4, "speed monitor, 1 above 80 % of the speed"),
-        hand("reset", 0, 5, "reset button of the overload relay"),
+        button("reset", 0, 5, "reset button of the overload relay"),
         measured("current", 2, "%", ANALOG_MAX / 1000.0, "current, 0 to 27648 for 0 to 10 times rated"),
         measured("speed", 4, "%", ANALOG_MAX / 100.0, "speed, 0 to 27648 for 0 to 100 %"),
         actuator("line", 0, 0, "line contactor K1"),
@@ -30,6 +30,8 @@ pub(super) const KIND: Kind = Kind {
         parameter("load", 40.0, (0.0, 300.0), "%", "torque of the load at full speed"),
         parameter("trip", 10.0, (0.5, 600.0), "s", "after it the overload relay trips at 6 times the rated current"),
     ],
+    arrange: None,
+    shown: &[],
     make: |values, _seed| {
         Box::new(Motor {
             run_up: values[0],

@@ -30,6 +30,8 @@ pub(super) const KIND: Kind = Kind {
         parameter("level", 20.0, (0.0, 100.0), "%", "level at the beginning"),
         parameter("waves", 0.2, (0.0, 10.0), "%", "how far the reading is off at most"),
     ],
+    arrange: None,
+    shown: &[],
     make: |values, seed| {
         Box::new(Tank {
             volume: values[0],
@@ -106,7 +108,13 @@ impl Process for Tank {
         put_word(into, 2, (level + self.wave).clamp(0.0, 100.0) * ANALOG_MAX / 100.0);
     }
     fn state(&self) -> Vec<(&'static str, f64, &'static str)> {
-        vec![("level", self.level(), "%"), ("content", self.content, "l"), ("spilled", self.spilled, "l")]
+        vec![
+            ("level", self.level(), "%"),
+            ("content", self.content, "l"),
+            ("spilled", self.spilled, "l"),
+            ("inlet", self.inlet * 100.0, "%"),
+            ("outlet", self.outlet * 100.0, "%"),
+        ]
     }
     fn copy(&self) -> Box<dyn Process> {
         Box::new(self.clone())

@@ -29,6 +29,8 @@ pub(super) const KIND: Kind = Kind {
         parameter("noise", 0.1, (0.0, 10.0), "K", "how far the reading is off at most"),
         parameter("limit", 150.0, (0.0, 1500.0), "°C", "where the safety thermostat opens"),
     ],
+    arrange: None,
+    shown: &[],
     make: |values, seed| {
         Box::new(Thermal {
             ambient: values[0],
@@ -38,6 +40,7 @@ pub(super) const KIND: Kind = Kind {
             noise: values[4],
             limit: values[5],
             temperature: values[0],
+            trend: 0.0,
             reading: values[0],
             power: 0.0,
             sum: 0.0,
@@ -63,6 +66,8 @@ struct Thermal {
     noise: f64,
     limit: f64,
     temperature: f64,
+    /// Kelvin per second.
+    trend: f64,
     reading: f64,
     /// Power that has arrived.
     power: f64,
@@ -86,7 +91,8 @@ impl Process for Thermal {
             self.reading = self.temperature + self.noise * self.random.around_zero();
         }
         let loss = if is_set(commands, 2, 1) { 3.0 } else { 1.0 };
-        self.temperature += (self.gain * self.power - loss * (self.temperature - self.ambient)) * DT / self.time_constant;
+        self.trend = (self.gain * self.power - loss * (self.temperature - self.ambient)) / self.time_constant;
+        self.temperature += self.trend * DT;
         self.open = self.temperature > if self.open { self.limit - 10.0 } else { self.limit };
     }
     fn sense(&self, into: &mut [u8]) {
@@ -94,7 +100,7 @@ impl Process for Thermal {
         put_bits(&mut into[2], &[(0, !self.open)]);
     }
     fn state(&self) -> Vec<(&'static str, f64, &'static str)> {
-        vec![("temperature", self.temperature, "°C"), ("power", self.power * 100.0, "%")]
+        vec![("temperature", self.temperature, "°C"), ("trend", self.trend, "K/s"), ("power", self.power * 100.0, "%")]
     }
     fn copy(&self) -> Box<dyn Process> {
         Box::new(self.clone())

@@ -102,7 +102,11 @@ pub fn variables_of(block: BlockId, program: &Program, values_max: usize) -> Vec
         let path = format!("#{}", variable.name);
         parts(&variable.data_type, &path, &mut left, &mut |path, data_type| {
             if let Ok(local) = parse(block, &path[1..], program) {
-                all.push((variable.section, Name { text: path.to_owned(), item: Item::local(local) }, data_type.clone()));
+                all.push((
+                    variable.section,
+                    Name { text: path.to_owned(), item: super::in_calendar(Item::local(local), program) },
+                    data_type.clone(),
+                ));
             }
         });
     }

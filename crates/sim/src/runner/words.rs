@@ -146,6 +146,10 @@ impl Run<'_> {
             DataType::String(_) => "STRING".to_owned(),
             other => other.to_string(),
         };
+        // Where DATE and DT have 64 bits they are called so, and LDATE and LDT are types of their own.
+        let is_short = self.cpu.program().names.short_dates && matches!(data_type, DataType::LongDate | DataType::LongDateAndTime);
+        let called = |text: String| if is_short { text.trim_start_matches('L').to_owned() } else { text };
+        let (value, word) = (called(value), called(word));
         ShownValue { expression, value, data_type: word }
     }
 }

@@ -67,7 +67,7 @@ impl Options {
 /// A value as a diagram labels it: a REAL as people write it, `1.5`, everything else as everywhere.
 fn shown(channel: &Channel, value: &Sample) -> String {
     match value.shown(&channel.kind) {
-        Some(shown @ (Shown::Real(_) | Shown::LongReal(_) | Shown::TimeLeft(_))) => shown.readable(),
+        Some(shown @ (Shown::Real(_) | Shown::LongReal(_) | Shown::TimeLeft(_) | Shown::Twofold { .. })) => shown.readable(),
         Some(shown) => shown.to_string(),
         None => "-".to_owned(),
     }

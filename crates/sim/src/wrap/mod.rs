@@ -34,7 +34,7 @@ pub struct Plant {
 #[derive(Clone)]
 struct Active {
     fault: Fault,
-    signal: &'static Signal,
+    signal: Signal,
     from_us: u64,
     /// The value at the beginning: what is stuck stays there.
     first: Option<i16>,
@@ -46,6 +46,10 @@ struct Active {
 }
 
 impl Active {
+    fn acts(&self, now_us: u64) -> bool {
+        now_us >= self.from_us && self.fault.until_us.is_none_or(|until| now_us < until)
+    }
+
     /// What comes through of a value.
     fn change(&mut self, now_us: u64, value: i16) -> i16 {
         if let FaultKind::Late(delay_us) = self.fault.kind {
@@ -57,7 +61,7 @@ impl Active {
             }
         }
         let before = self.last.replace(value);
-        if now_us < self.from_us || self.fault.until_us.is_some_and(|until| now_us >= until) {
+        if !self.acts(now_us) {
             return value;
         }
         let first = *self.first.get_or_insert(value);
@@ -88,8 +92,7 @@ impl Plant {
     /// A device without a fault.
     pub fn new(settings: DeviceSettings) -> Self {
         let device = Device::new(settings);
-        let kind = device.settings().kind;
-        let (commands, seen) = (vec![0; kind.output_bytes as usize], vec![0; kind.input_bytes as usize]);
+        let (commands, seen) = (vec![0; device.outputs().len()], vec![0; device.inputs().len()]);
         Self { device, faults: Vec::new(), commands, seen, now_us: 0 }
     }
     /// The device.
@@ -113,12 +116,17 @@ impl Plant {
         self.faults.iter().map(|active| &active.fault)
     }
 
+    /// Those of its faults whose time it is.
+    pub fn acting_faults(&self) -> impl Iterator<Item = &Fault> {
+        self.faults.iter().filter(|active| active.acts(self.now_us)).map(|active| &active.fault)
+    }
+
     /// From its time on, one without a time from now on, a signal fails.
     ///
     /// # Errors
     /// The device has no such signal, the fault does not fit it, or there are too many; the message says which there are.
     pub fn inject(&mut self, fault: &Fault) -> Result<(), String> {
-        let signal = fault.fits(self.kind())?;
+        let signal = fault.fits(self.kind(), self.device.signals())?;
         if self.faults.len() >= FAULTS_MAX {
             return Err(format!("`{}` has {FAULTS_MAX} faults already", self.name()));
         }
@@ -271,19 +279,19 @@ fn check(signal: &Signal, kind: &FaultKind) -> Result<(), String> {
 }
 
 impl Fault {
-    /// The signal that it is about, if a kind of device has it and it can fail like that.
+    /// The signal that it is about, if it is among those of a device and can fail like that.
     ///
     /// # Errors
     /// It does not; the message says what would.
-    pub fn fits(&self, kind: &'static Kind) -> Result<&'static Signal, String> {
-        let signal = kind.signal(&self.signal).ok_or_else(|| {
+    pub fn fits(&self, kind: &Kind, signals: &[Signal]) -> Result<Signal, String> {
+        let signal = signals.iter().find(|signal| signal.name == self.signal).copied().ok_or_else(|| {
             let names = |inputs| {
-                let names = kind.signals.iter().filter(|signal| signal.is_input() == inputs).map(|signal| format!("`{}`", signal.name));
+                let names = signals.iter().filter(|signal| signal.is_input() == inputs).map(|signal| format!("`{}`", signal.name));
                 names.collect::<Vec<_>>().join(", ")
             };
             format!("a {} has no signal `{}`; it has the inputs {} and the outputs {}", kind.name, self.signal, names(true), names(false))
         })?;
-        check(signal, &self.kind).map(|()| signal)
+        check(&signal, &self.kind).map(|()| signal)
     }
 }
 
@@ -303,7 +311,7 @@ mod tests {
             .map(|scan| {
                 operate(scan, &mut plant);
                 plant.advance(10_000);
-                let mut bytes = vec![0; kind.input_bytes as usize];
+                let mut bytes = vec![0; plant.inputs().len()];
                 plant.read(0, &mut bytes);
                 signal.raw(&bytes)
             })
@@ -380,7 +388,7 @@ mod tests {
             ("tank.low stuck=2", "stuck at 0 or at 1"),
             ("tank.level bounce=1s", "is a word and cannot bounce"),
         ] {
-            let error = Fault::parse(text).expect("a fault").fits(kind).expect_err(text);
+            let error = Fault::parse(text).expect("a fault").fits(kind, kind.signals).expect_err(text);
             assert!(error.contains(word), "{text}: {error}");
         }
     }

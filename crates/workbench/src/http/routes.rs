@@ -274,7 +274,7 @@ fn diagnostics(asked: &Asked<'_>) -> Result<Reply, Refusal> {
 /// The plants, and what their inputs and outputs are for.
 fn plants(asked: &Asked<'_>) -> Result<Reply, Refusal> {
     use sieben_cpu::IoModule;
-    use sieben_sim::devices::{Direction, Signal};
+    use sieben_sim::devices::{Direction, Operated, Signal};
     use sieben_sim::wrap;
     let hub = &asked.shared.hub;
     let facts = hub.facts.facts();
@@ -292,8 +292,10 @@ fn plants(asked: &Asked<'_>) -> Result<Reply, Refusal> {
             let symbol = operand.and_then(|operand| facts.symbols.find_operand(&operand)).map_or("", |symbol| &symbol.name);
             let (driven, handle) = match signal.direction {
                 Direction::Sensor | Direction::Actuator => ("plant", None),
-                Direction::Hand { closed: false } => ("user", Some("switch")),
-                Direction::Hand { closed: true } => ("user", Some("switch-nc")),
+                Direction::Hand { operated: Operated::Button, closed: false } => ("user", Some("push")),
+                Direction::Hand { operated: Operated::Button, closed: true } => ("user", Some("push-nc")),
+                Direction::Hand { operated: Operated::Switch, closed: false } => ("user", Some("switch")),
+                Direction::Hand { operated: Operated::Switch, closed: true } => ("user", Some("switch-nc")),
             };
             let mut object = json!({
                 "name": signal.name, "address": address, "symbol": symbol, "direction": if signal.is_input() { "in" } else { "out" },

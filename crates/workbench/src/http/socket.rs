@@ -8,9 +8,9 @@ use axum::body::Body;
 use axum::extract::ws::{Message, WebSocket, WebSocketUpgrade};
 use axum::http::Response;
 use serde_json::json;
-use sieben_cpu::Replayer;
 use sieben_model::problems::Problem;
 use sieben_workspace::Refusal;
+use sieben_workspace::past::Viewer;
 use tokio::sync::watch;
 use tokio::time::timeout;
 
@@ -183,7 +183,7 @@ fn welcome(shared: &Shared, role: Role) -> String {
     let program = hub.program();
     let head = hub.gate.look(|plant| (plant.cpu.cpu_type().name, plant.scans, plant.pace.cycle_us));
     let (cpu, scans, cycle_us) = head.unwrap_or_default();
-    let oldest = hub.desk.past.extent().map_or(scans, |(first, _)| first.scan.min(scans));
+    let oldest = hub.desk.past().range().map_or(scans, |(first, _)| first.scan.min(scans));
     json!({
         "t": "welcome", "v": 1, "cpu": cpu, "project": program.facts.project.as_deref().unwrap_or("Sieben"), "program": program.hash(),
         "role": role.word(), "oldest": oldest, "newest": scans, "cycle_us": cycle_us, "mnemonics": "en",
@@ -195,7 +195,7 @@ fn welcome(shared: &Shared, role: Role) -> String {
 struct Views {
     /// The scan that is shown; `None`: the newest.
     at: Option<u64>,
-    replayer: Arc<Mutex<Replayer>>,
+    replayer: Arc<Mutex<Viewer>>,
 }
 
 /// Answers what is no subscription: texts to send, or a scan to show.
@@ -248,6 +248,6 @@ async fn shown(shared: &Arc<Shared>, views: &mut Views, client: &Client, newest:
     }
 }
 
-fn lock(replayer: &Mutex<Replayer>) -> MutexGuard<'_, Replayer> {
+fn lock(replayer: &Mutex<Viewer>) -> MutexGuard<'_, Viewer> {
     replayer.lock().unwrap_or_else(PoisonError::into_inner)
 }

@@ -100,7 +100,7 @@ fn unknown(error: &NameError) -> Refusal {
 }
 
 fn unfit(error: &NameError) -> Refusal {
-    Refusal::new(Problem::P7004, error.to_string())
+    Refusal::new(crate::names::problem_of_value(error), error.to_string())
 }
 
 /// Something changed while it was asked for.
@@ -215,7 +215,7 @@ impl Control {
     }
 
     /// Does something with what names mean in the program that runs. Where an online change comes between the names and the work, both begin
-    /// again.
+    /// again. Work that changes something says so ([`Plant::touch`]).
     ///
     /// # Errors
     /// What `mean` answers instead, without any work; or the refusal.
@@ -228,7 +228,7 @@ impl Control {
         for _ in 0..TRIES_MAX {
             let names = mean(self)?;
             let is_current = || self.current.version() == self.version;
-            let done = gate.enter(|plant| is_current().then(|| work(&names, plant))).map_err(|closed| Err(closed.into()))?;
+            let done = gate.serve(|plant| is_current().then(|| work(&names, plant))).map_err(|closed| Err(closed.into()))?;
             match done {
                 Some(done) => return Ok((names, done)),
                 None => self.refresh(),
@@ -244,7 +244,7 @@ impl Control {
     }
 
     fn state(&self, gate: &Gate) -> Result<State, Refusal> {
-        let (mut state, cause, forced) = gate.enter(|plant| {
+        let (mut state, cause, forced) = gate.look(|plant| {
             let cpu = &plant.cpu;
             let state = State {
                 project: None,
@@ -292,7 +292,8 @@ impl Control {
     fn read(&mut self, gate: &Gate, names: &[String]) -> Result<Values, Refusal> {
         let mean = |this: &mut Self| {
             let meant = this.named(names).map_err(Err)?;
-            let items: Vec<Item> = meant.iter().filter_map(|(_, name)| Some(name.as_ref().ok()?.item().clone())).collect();
+            // To people a timer is the time that it has left.
+            let items: Vec<Item> = meant.iter().filter_map(|(_, name)| Some(name.as_ref().ok()?.item().clone().readable())).collect();
             Ok((meant, items))
         };
         let read =
@@ -322,6 +323,7 @@ impl Control {
             Ok(Writing { pairs, list, items })
         };
         let write = |writing: &Writing, plant: &mut Plant| {
+            plant.touch();
             let there = plant.cpu.read_items(&writing.items);
             let absent = there.iter().any(Result::is_err);
             let outcomes =
@@ -345,6 +347,7 @@ impl Control {
     /// Forces all of the items, or none where a name or a value is wrong. What the CPU type does not force is told for itself.
     fn force(&mut self, gate: &Gate, values: &[(String, String)]) -> Result<Done, Refusal> {
         let force = |pairs: &Vec<(Name, Value)>, plant: &mut Plant| {
+            plant.touch();
             let force = |(name, value): &(Name, Value)| {
                 (name.text().to_owned(), name.force(&mut plant.cpu, value).map_err(|error| unknown(&error)))
             };
@@ -355,6 +358,7 @@ impl Control {
 
     fn unforce(&mut self, gate: &Gate, names: &[String]) -> Result<Done, Refusal> {
         let unforce = |meant: &Meant<Name>, plant: &mut Plant| {
+            plant.touch();
             let unforce = |(text, name): &(String, Result<Name, Refusal>)| {
                 let done = name.clone().and_then(|name| name.unforce(&mut plant.cpu).map_err(|error| unknown(&error)));
                 (text.clone(), done)
@@ -368,6 +372,7 @@ impl Control {
     fn press(&mut self, gate: &Gate, names: &[String], ms: u64) -> Result<Done, Refusal> {
         let before = self.pressed.clone();
         let press = |meant: &Meant<Name>, plant: &mut Plant| {
+            plant.touch();
             let now_us = plant.pace.time_us(gate.now_us()).max(plant.cpu.time_us());
             let until_us = now_us.saturating_add(ms.saturating_mul(1_000));
             let is_pressed = |text: &String| before.get(text).is_some_and(|&until_us| until_us > now_us);
@@ -404,7 +409,7 @@ impl Control {
     }
 
     fn diagnostics(&self, gate: &Gate, after: u64) -> Result<Diagnostics, Refusal> {
-        let (newest, entries) = gate.enter(|plant| {
+        let (newest, entries) = gate.look(|plant| {
             let buffer = plant.cpu.diagnostic_buffer();
             (buffer.newest_number(), buffer.newer_than(after).map(|(number, entry)| (number, entry.clone())).collect::<Vec<_>>())
         })?;
@@ -420,10 +425,10 @@ impl Control {
     }
 
     fn blocks(&self, gate: &Gate, from: usize) -> Result<Blocks, Refusal> {
-        let ids = gate.enter(|plant| plant.cpu.blocks())?;
+        let ids = gate.look(|plant| plant.cpu.blocks())?;
         let total = ids.len();
         let wanted = ids.into_iter().skip(from).take(BLOCKS_MAX);
-        let views = gate.enter_for_each(wanted, |plant, id| plant.cpu.block(id))?;
+        let views = gate.look_for_each(wanted, |plant, id| plant.cpu.block(id))?;
         let next = from.saturating_add(views.len());
         let named = |view: sieben_cpu::BlockView| {
             let name = self.facts.block_names.get(&view.id).cloned();
@@ -493,7 +498,7 @@ fn not_now(error: impl std::fmt::Display) -> Refusal {
 }
 
 fn mode(gate: &Gate, change: ModeChange) -> Result<Mode, Refusal> {
-    let now = |plant: &mut Plant| Mode { mode: plant.cpu.mode(), scans: plant.scans };
+    let now = |plant: &Plant| Mode { mode: plant.cpu.mode(), scans: plant.scans };
     match change {
         ModeChange::Stop => Ok(gate.command(|plant| {
             plant.stop(Requester::default());
@@ -521,11 +526,11 @@ fn start(gate: &Gate, restart: Restart) -> Result<Mode, Refusal> {
 }
 
 /// Looks at the plant until there is something to be seen, for two seconds at most.
-fn wait<R>(gate: &Gate, mut look: impl FnMut(&mut Plant) -> Option<R>) -> Result<Option<R>, Refusal> {
+fn wait<R>(gate: &Gate, mut look: impl FnMut(&Plant) -> Option<R>) -> Result<Option<R>, Refusal> {
     let end = gate.now_us().saturating_add(u64::try_from(WAIT_MAX.as_micros()).unwrap_or(u64::MAX));
     loop {
         let points = gate.points();
-        if let Some(seen) = gate.enter(&mut look)? {
+        if let Some(seen) = gate.look(&mut look)? {
             return Ok(Some(seen));
         }
         if gate.now_us() >= end {
@@ -536,7 +541,7 @@ fn wait<R>(gate: &Gate, mut look: impl FnMut(&mut Plant) -> Option<R>) -> Result
 }
 
 fn time(gate: &Gate, change: TimeChange) -> Result<Time, Refusal> {
-    let now = |plant: &mut Plant| Time {
+    let now = |plant: &Plant| Time {
         paused: plant.pace.is_paused(),
         speed: plant.pace.speed(),
         scans: plant.scans,
@@ -556,7 +561,7 @@ fn time(gate: &Gate, change: TimeChange) -> Result<Time, Refusal> {
     match change {
         TimeChange::Step(_) => match wait(gate, |plant| (!plant.pace.has_steps()).then(|| now(plant)))? {
             Some(done) => Ok(done),
-            None => Ok(gate.enter(now)?),
+            None => Ok(gate.look(now)?),
         },
         _ => Ok(changed),
     }

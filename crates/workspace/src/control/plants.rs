@@ -6,7 +6,7 @@ use sieben_model::address::Operand;
 use sieben_sim::wrap;
 
 use super::facts::Facts;
-use super::table::direction;
+use super::table::{direction, operated};
 use crate::gate::{Closed, Gate};
 
 /// Plants in one answer.
@@ -46,6 +46,8 @@ pub struct PlantView {
     pub state: Vec<(&'static str, f64, &'static str)>,
     /// Its faults, as they are injected.
     pub faults: Vec<String>,
+    /// Those of them whose time it is.
+    pub acting: Vec<String>,
     /// Its terminals.
     pub signals: Vec<SignalView>,
 }
@@ -59,6 +61,8 @@ pub struct SignalView {
     pub address: String,
     /// Which way it goes.
     pub direction: &'static str,
+    /// What people do with it, if it is theirs.
+    pub operated: Option<&'static str>,
     /// The symbol of the address.
     pub symbol: Option<String>,
     /// What it says.
@@ -69,39 +73,44 @@ pub(super) fn plant_faults(plant: &wrap::Plant) -> PlantFaults {
     PlantFaults {
         module: plant.name().to_owned(),
         kind: plant.kind().name,
-        signals: plant.kind().signals.iter().map(|signal| signal.name).collect(),
+        signals: plant.device().signals().iter().map(|signal| signal.name).collect(),
         faults: plant.faults().map(ToString::to_string).collect(),
     }
 }
 
-fn view(plant: &wrap::Plant) -> PlantView {
-    let kind = plant.kind();
-    let mut inputs = vec![0; kind.input_bytes as usize];
+/// A plant as it is now; `put_out` are all bytes that the CPU has put out, some of which a plant may show that are not its own.
+fn view(plant: &wrap::Plant, put_out: &[u8]) -> PlantView {
+    let mut inputs = vec![0; plant.inputs().len()];
     plant.read(0, &mut inputs);
-    let signal = |signal: &'static sieben_sim::devices::Signal| SignalView {
+    let signal = |signal: &sieben_sim::devices::Signal| SignalView {
         name: signal.name,
         address: signal.address(if signal.is_input() { plant.inputs().start } else { plant.outputs().start }),
         direction: direction(signal.direction),
+        operated: operated(signal.direction),
         symbol: None,
         about: signal.about,
     };
     PlantView {
         module: plant.name().to_owned(),
-        kind: kind.name,
+        kind: plant.kind().name,
         input: plant.inputs().start,
         output: plant.outputs().start,
         parameters: plant.device().settings().parameters.clone(),
         inputs,
         outputs: plant.commands().to_vec(),
-        state: plant.device().state(),
+        state: plant.device().state().into_iter().chain(plant.device().shown(put_out)).collect(),
         faults: plant.faults().map(ToString::to_string).collect(),
-        signals: kind.signals.iter().map(signal).collect(),
+        acting: plant.acting_faults().map(ToString::to_string).collect(),
+        signals: plant.device().signals().iter().map(signal).collect(),
     }
 }
 
 /// All plants of a run.
 pub(super) fn plants(gate: &Gate, facts: &Facts) -> Result<Vec<PlantView>, Closed> {
-    let mut views: Vec<PlantView> = gate.enter(|plant| wrap::plants(plant.cpu.rack()).take(PLANTS_MAX).map(view).collect())?;
+    let mut views: Vec<PlantView> = gate.look(|plant| {
+        let rack = plant.cpu.rack();
+        wrap::plants(rack).take(PLANTS_MAX).map(|plant| view(plant, rack.outputs())).collect()
+    })?;
     for signal in views.iter_mut().flat_map(|view| &mut view.signals) {
         let operand = Operand::parse(&signal.address);
         signal.symbol = operand.and_then(|operand| facts.symbols.find_operand(&operand)).map(|symbol| symbol.name.clone());
@@ -124,13 +133,13 @@ impl PlantView {
         let state = |&(name, value, unit): &(&str, f64, &str)| json!({ "name": name, "value": value, "unit": unit });
         let signal = |signal: &SignalView| {
             json!({
-                "name": signal.name, "address": signal.address, "direction": signal.direction, "symbol": signal.symbol, "about": signal.about,
+                "name": signal.name, "address": signal.address, "direction": signal.direction, "operated": signal.operated, "symbol": signal.symbol, "about": signal.about,
             })
         };
         json!({
             "module": self.module, "kind": self.kind, "input": self.input, "output": self.output, "parameters": self.parameters,
             "inputs": hex(&self.inputs), "outputs": hex(&self.outputs), "state": self.state.iter().map(state).collect::<Json>(),
-            "faults": self.faults, "signals": self.signals.iter().map(signal).collect::<Json>(),
+            "faults": self.faults, "acting": self.acting, "signals": self.signals.iter().map(signal).collect::<Json>(),
         })
     }
 }

@@ -5,7 +5,7 @@ use sieben_cpu::{Cpu, IoModule, Station};
 use sieben_model::address::{Address, Area, Operand};
 use sieben_model::item::Item;
 use sieben_model::mnemonics::Mnemonics;
-use sieben_sim::devices::{Direction, Place, Signal};
+use sieben_sim::devices::{Direction, Operated, Place, Signal};
 use sieben_sim::names::{Name, catalogue};
 use sieben_sim::wrap;
 
@@ -55,6 +55,8 @@ pub struct Terminal {
     pub signal: &'static str,
     /// Which way it goes.
     pub direction: &'static str,
+    /// What people do with it, if it is theirs.
+    pub operated: Option<&'static str>,
 }
 
 /// The word for a direction.
@@ -63,6 +65,15 @@ pub(super) fn direction(direction: Direction) -> &'static str {
         Direction::Sensor => "sensor",
         Direction::Hand { .. } => "hand",
         Direction::Actuator => "actuator",
+    }
+}
+
+/// The word for what people do with a signal that is theirs.
+pub(super) fn operated(direction: Direction) -> Option<&'static str> {
+    match direction {
+        Direction::Hand { operated: Operated::Button, .. } => Some("button"),
+        Direction::Hand { operated: Operated::Switch, .. } => Some("switch"),
+        Direction::Sensor | Direction::Actuator => None,
     }
 }
 
@@ -86,10 +97,15 @@ fn terminal(cpu: &Cpu, address: &Address) -> Option<Terminal> {
     let mut found = None;
     for plant in wrap::plants(cpu.rack()) {
         let base = if is_input { plant.inputs().start } else { plant.outputs().start };
-        for signal in plant.kind().signals.iter().filter(|signal| signal.is_input() == is_input) {
+        for signal in plant.device().signals().iter().filter(|signal| signal.is_input() == is_input) {
             let (begin, count) = bits(signal, base);
             if begin < end && first < begin + count {
-                let terminal = || Terminal { module: plant.name().to_owned(), signal: signal.name, direction: direction(signal.direction) };
+                let terminal = || Terminal {
+                    module: plant.name().to_owned(),
+                    signal: signal.name,
+                    direction: direction(signal.direction),
+                    operated: operated(signal.direction),
+                };
                 if signal.direction == Direction::Sensor {
                     return Some(terminal());
                 }
@@ -150,7 +166,7 @@ fn fields(facts: &Facts) -> impl Iterator<Item = (Item, Row)> {
 fn hands(cpu: &Cpu) -> Vec<Operand> {
     let of_plant = |plant: &wrap::Plant| {
         let base = plant.inputs().start;
-        let hands = plant.kind().signals.iter().filter(|signal| matches!(signal.direction, Direction::Hand { .. }));
+        let hands = plant.device().signals().iter().filter(|signal| matches!(signal.direction, Direction::Hand { .. }));
         hands.filter_map(|signal| Operand::parse(&signal.address(base))).collect::<Vec<_>>()
     };
     wrap::plants(cpu.rack()).flat_map(of_plant).take(ROWS_MAX).collect()
@@ -160,12 +176,12 @@ fn hands(cpu: &Cpu) -> Vec<Operand> {
 pub(super) fn table(gate: &Gate, facts: &Facts, from: usize) -> Result<Table, Closed> {
     let known: Vec<(Operand, Row)> = known(facts).collect();
     let is_new = |operand: &Operand| !known.iter().any(|(other, _)| other == operand);
-    let hands = gate.enter(|plant| hands(&plant.cpu))?;
+    let hands = gate.look(|plant| hands(&plant.cpu))?;
     let hands: Vec<(Operand, Row)> = hands.iter().filter(|operand| is_new(operand)).map(without_symbol).collect();
     let rows = known.into_iter().chain(hands).map(|(operand, row)| (Item::operand(operand), row));
     let all: Vec<(Item, Row)> = rows.chain(fields(facts)).collect();
     let total = all.len();
-    let rows = gate.enter_for_each(all.into_iter().skip(from).take(ROWS_MAX), |plant, (item, row)| {
+    let rows = gate.look_for_each(all.into_iter().skip(from).take(ROWS_MAX), |plant, (item, row)| {
         let terminal = match item.as_operand() {
             Some(Operand::Address(address)) => terminal(&plant.cpu, address),
             _ => None,
@@ -192,8 +208,7 @@ pub fn watched(facts: &Facts) -> Vec<Watched> {
 impl Table {
     /// The fields of the answer.
     pub(super) fn json(&self) -> Json {
-        let terminal =
-            |terminal: &Terminal| json!({ "module": terminal.module, "signal": terminal.signal, "direction": terminal.direction });
+        let terminal = |terminal: &Terminal| json!({ "module": terminal.module, "signal": terminal.signal, "direction": terminal.direction, "operated": terminal.operated });
         let row = |row: &Row| {
             json!({
                 "symbol": row.symbol, "address": row.address, "item": row.item, "type": row.data_type, "comment": row.comment,

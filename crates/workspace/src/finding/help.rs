@@ -1,6 +1,8 @@
-//! What a finding says about what to do.
+//! What a finding says about what is wrong and what to do.
 
 use sieben_model::diagnostic::Diagnostic;
+use sieben_model::language::Language;
+use sieben_model::problems::Problem;
 
 use crate::refusal::capitalized;
 
@@ -10,6 +12,29 @@ pub fn help_of(diagnostic: &Diagnostic) -> Option<String> {
     let said = diagnostic.fix.as_ref().map_or(diagnostic.message.clone(), |fix| format!("{} {}", diagnostic.message, fix.title));
     let refers = diagnostic.fix.is_some() && help.ends_with("the message names.");
     (!refers && !repeats(help, &said)).then(|| capitalized(help))
+}
+
+/// What is wrong: the sentence about it, in German after what the table of problems says.
+pub fn said_in(language: Language, problem: Problem, message: &str) -> String {
+    match language {
+        Language::English => message.to_owned(),
+        Language::German => format!("{}: {message}", problem.title_in(language)),
+    }
+}
+
+/// What to do, if there is more to say: in German what the table of problems says, then what is more specific, on a line of its own.
+pub fn help_in(language: Language, diagnostic: &Diagnostic) -> Option<String> {
+    match language {
+        Language::English => help_of(diagnostic),
+        Language::German if help_of(diagnostic).is_none() => None,
+        Language::German => Some(german_help(diagnostic.problem, diagnostic.help.as_deref())),
+    }
+}
+
+/// What to do in German: what the table of problems says, then what is more specific, on a line of its own.
+pub fn german_help(problem: Problem, specific: Option<&str>) -> String {
+    let help = problem.help_in(Language::German);
+    specific.map_or_else(|| help.to_owned(), |specific| format!("{help}\n{}", capitalized(specific)))
 }
 
 /// Words of a help that tell nothing by themselves.

@@ -7,11 +7,12 @@ pub mod several;
 
 use sieben_lang::encoding::Encoding;
 use sieben_model::diagnostic::{Diagnostic, Severity};
+use sieben_model::language::{Language, Text, pick};
 use sieben_model::problems::Problem;
 use sieben_model::source::{FileId, Sources, Span};
 
 use crate::refusal::Refusal;
-pub use help::help_of;
+pub use help::{german_help, help_in, help_of, said_in};
 pub use json::to_json;
 
 /// Where the span of a finding points into.
@@ -120,20 +121,24 @@ pub fn sort(findings: &mut Vec<Finding>) {
 }
 
 /// `2 errors, 1 warning`, or `no errors`.
-pub fn tally(findings: &[Finding]) -> String {
+pub fn tally(findings: &[Finding], language: Language) -> String {
     let errors = findings.iter().filter(|finding| finding.severity() == Severity::Error).count();
     let warnings = findings.len() - errors;
-    let plural = |count: usize, word: &str| match count {
-        1 => format!("1 {word}"),
-        count => format!("{count} {word}s"),
+    let counted = |count: usize, [one, several]: [Text; 2]| match count {
+        1 => format!("1 {}", pick(language, one)),
+        count => format!("{count} {}", pick(language, several)),
     };
     match (errors, warnings) {
-        (0, 0) => "no errors".to_owned(),
-        (0, warnings) => plural(warnings, "warning"),
-        (errors, 0) => plural(errors, "error"),
-        (errors, warnings) => format!("{}, {}", plural(errors, "error"), plural(warnings, "warning")),
+        (0, 0) => pick(language, ["no errors", "keine Fehler"]).to_owned(),
+        (0, warnings) => counted(warnings, WARNINGS),
+        (errors, 0) => counted(errors, ERRORS),
+        (errors, warnings) => format!("{}, {}", counted(errors, ERRORS), counted(warnings, WARNINGS)),
     }
 }
+
+/// One of them, and several.
+const ERRORS: [Text; 2] = [["error", "Fehler"], ["errors", "Fehler"]];
+const WARNINGS: [Text; 2] = [["warning", "Warnung"], ["warnings", "Warnungen"]];
 
 /// A place in a text that is certainly on a character boundary.
 pub fn clamp(text: &str, at: u32) -> usize {

@@ -1,5 +1,7 @@
 //! What a statement has changed: values of memory, timers and counters, registers.
 
+use std::ops::Range;
+
 use sieben_cpu::Moment;
 use sieben_engine::machine::{Register, Registers};
 use sieben_engine::{Machine, Program};
@@ -24,10 +26,18 @@ pub struct Change {
 }
 
 /// What differs between two machines; `written` is the operand of the statement, if it has one that means a single value.
-/// Hidden local data, which the compiler needs for calls, are left out: they have no name in the source.
-pub(super) fn of_memory(before: &Machine, after: &Machine, written: Option<&Name>, program: &Program, mnemonics: Mnemonics) -> Vec<Change> {
+/// `fields` are the variables of data blocks that are called by their names. Hidden local data, which the compiler needs for calls, are left
+/// out: they have no name in the source.
+pub(super) fn of_memory(
+    before: &Machine,
+    after: &Machine,
+    written: Option<&Name>,
+    fields: &[Name],
+    program: &Program,
+    mnemonics: Mnemonics,
+) -> Vec<Change> {
     let mut changes = Vec::new();
-    let mut covered = 0..0;
+    let mut covered: Vec<Range<usize>> = Vec::new();
     // Where a variable of a block lies is known before the statement: it may call or end the block.
     let registers = &before.registers;
     if let Some((name, (range, _))) = written.and_then(|name| Some((name, name.extent(before, registers)?)))
@@ -35,10 +45,27 @@ pub(super) fn of_memory(before: &Machine, after: &Machine, written: Option<&Name
         && let Some(new) = name.shown_in(after, registers)
         && old != new
     {
-        covered = range;
+        covered.push(range);
         changes.push(Change { name: name.text().to_owned(), before: old.readable(), after: new.readable() });
     }
     let (old, new) = (&before.memory.arena, &after.memory.arena);
+    for field in fields {
+        let Some((range, mask)) = field.extent(after, registers) else { continue };
+        let differs = || {
+            old.get(range.clone()).zip(new.get(range.clone())).is_some_and(|(old, new)| match (old, new) {
+                ([old], [new]) => (old ^ new) & mask != 0,
+                _ => old != new,
+            })
+        };
+        if changes.len() >= CHANGES_MAX || !differs() || covered.iter().any(|known| mask == u8::MAX && known.contains(&range.start)) {
+            continue;
+        }
+        if let Some((old, new)) = field.shown_in(before, registers).zip(field.shown_in(after, registers)) {
+            changes.push(Change { name: field.text().to_owned(), before: old.readable(), after: new.readable() });
+            covered.push(range);
+        }
+    }
+    let covers = |byte: usize| covered.iter().any(|range| range.contains(&byte));
     let mut at = 0;
     let length = old.len().min(new.len());
     while at < length && changes.len() < CHANGES_MAX {
@@ -48,11 +75,11 @@ pub(super) fn of_memory(before: &Machine, after: &Machine, written: Option<&Name
             at += piece;
             continue;
         }
-        if old[at] == new[at] || covered.contains(&at) {
+        if old[at] == new[at] || covers(at) {
             at += 1;
             continue;
         }
-        let run = (at..length.min(at + 4)).take_while(|&byte| old[byte] != new[byte] && !covered.contains(&byte)).count();
+        let run = (at..length.min(at + 4)).take_while(|&byte| old[byte] != new[byte] && !covers(byte)).count();
         if !is_hidden(after, at, program) {
             changes.extend(bytes(after, at, if run == 3 { 2 } else { run }, old, new, mnemonics));
         }
@@ -69,7 +96,11 @@ pub(super) fn of_memory(before: &Machine, after: &Machine, written: Option<&Name
                     Moment { machine, registers: &machine.registers }.content(&item).map(|content| item.kind.show(&content).readable());
                 format!("{} ({state}, {})", left.unwrap_or_default(), u8::from(timer.status))
             };
-            changes.push(Change { name: Operand::Timer(number).spell(mnemonics), before: shown(before, old), after: shown(after, new) });
+            let (before, after) = (shown(before, old), shown(after, new));
+            // Of a timer that has run out, only what it remembers may be new.
+            if before != after {
+                changes.push(Change { name: Operand::Timer(number).spell(mnemonics), before, after });
+            }
         }
     }
     for (number, (old, new)) in (0_u16..).zip(before.counters.iter().zip(&after.counters)) {

@@ -7,7 +7,7 @@ use sieben_sim::names::{Name, Setting};
 
 use super::change::{Request, Wanted};
 use super::texts::{self, Text, pick};
-use super::{Direction, Language, LocalValue, STATEMENTS_MAX, Session, Unit, Who};
+use super::{Direction, Language, STATEMENTS_MAX, Session, Unit, Variables, Who};
 use crate::controller;
 use crate::names as command_names;
 use crate::nearest::{nearest, one_of};
@@ -69,14 +69,17 @@ const NAME: Text = ["NAME", "NAME"];
 const NAMES: Text = ["NAME,…", "NAME,…"];
 
 rows! {
-    Verb::Step(Unit::Statement), ["step", "s", "into"], N,
-        ["the next statement, or N of them, into blocks that are called", "die nächste Anweisung, oder N davon, in aufgerufene Bausteine hinein"];
+    Verb::Step(Unit::Statement), ["step", "s"], N,
+        ["the next statement, or N of them, into blocks that are called, over those of the library",
+         "die nächste Anweisung, oder N davon, in aufgerufene Bausteine hinein, über die der Bibliothek hinweg"];
+    Verb::Step(Unit::Into), ["into", "i"], N,
+        ["the same, into blocks of the library as well", "dasselbe, auch in Bausteine der Bibliothek hinein"];
     Verb::Step(Unit::Over), ["over", "n"], N, ["the next statement, over a block that it calls", "die nächste Anweisung, über einen Aufruf hinweg"];
     Verb::Step(Unit::Out), ["out"], N, ["out of this block", "aus diesem Baustein heraus"];
     Verb::Step(Unit::Network), ["network"], N, ["to the next network", "zum nächsten Netzwerk"];
     Verb::Step(Unit::Block), ["block"], N, ["to another block, into it or out of it", "zu einem anderen Baustein, hinein oder heraus"];
     Verb::Step(Unit::Scan), ["scan"], N, ["to the end of this scan, or of N scans", "bis zum Ende dieses Zyklus, oder von N Zyklen"];
-    Verb::Back, ["back", "b"], ["[N | over | out | network | block | scan] [N]", "[N | over | out | network | block | scan] [N]"],
+    Verb::Back, ["back", "b"], ["[N | into | over | out | network | block | scan] [N]", "[N | into | over | out | network | block | scan] [N]"],
         ["back: by N statements, or the same steps the other way", "zurück: um N Anweisungen, oder dieselben Schritte andersherum"];
     Verb::Run, ["run", "r"], ["[N | back]", "[N | back]"],
         ["to the next breakpoint, N statements at most; or back to the last one", "bis zum nächsten Haltepunkt, höchstens N Anweisungen; oder zurück zum letzten"];
@@ -91,7 +94,8 @@ rows! {
     Verb::Delete, ["delete"], ["N", "N"], ["deletes a breakpoint", "löscht einen Haltepunkt"];
     Verb::Breakpoints, ["breakpoints"], NOTHING, ["lists them", "zeigt sie"];
     Verb::Print, ["print", "p"], NAMES, ["values here: MW10, \"symbol\", DB1.name, #variable", "Werte hier: MW10, \"symbol\", DB1.name, #variable"];
-    Verb::Locals, ["locals", "v"], NOTHING, ["all variables of this block", "alle Variablen dieses Bausteins"];
+    Verb::Locals, ["locals", "v"], NOTHING, ["all variables of this block; between two scans what the program keeps",
+         "alle Variablen dieses Bausteins; zwischen zwei Zyklen, was das Programm behält"];
     Verb::Show, ["show"], NAMES, ["values here and after every movement", "Werte hier und nach jeder Bewegung"];
     Verb::Who, ["who"], NAME,
         ["the statement that changed a value last, or wrote it without a change", "die Anweisung, die einen Wert zuletzt geändert oder unverändert geschrieben hat"];
@@ -116,8 +120,8 @@ pub enum Answer {
     Text(String),
     /// Values by name.
     Values(Vec<Name>),
-    /// The variables of the block that runs, if one does.
-    Locals(Option<(BlockId, Vec<LocalValue>)>),
+    /// The variables of the block that runs, or of all that the program keeps.
+    Locals(Vec<Variables>),
     /// A value was set.
     Set(Setting),
     /// The last change of a value.
@@ -237,7 +241,9 @@ fn verb(session: &mut Session, found: &Row, operand: &str, row: &mut dyn FnMut(&
         Verb::Set => {
             let (text, value) = command_names::split_assignment(operand)?;
             let name = name(session, text, session.here())?;
-            let unfit = |error: sieben_sim::names::NameError| Refusal::new(Problem::P7004, format!("`{operand}`: {error}"));
+            let unfit = |error: sieben_sim::names::NameError| {
+                Refusal::new(command_names::problem_of_value(&error), format!("`{operand}`: {error}"))
+            };
             let setting = Setting::new(name, value).map_err(unfit)?;
             session.set(setting.clone()).map_err(unfit)?;
             Answer::Set(setting)
@@ -252,7 +258,7 @@ fn verb(session: &mut Session, found: &Row, operand: &str, row: &mut dyn FnMut(&
 }
 
 fn steps(session: &mut Session, unit: Unit, direction: Direction, times: u64, row: &mut dyn FnMut(&mut Session)) -> Answer {
-    let rows = unit == Unit::Statement && direction == Direction::Forward && times <= ROWS_MAX;
+    let rows = matches!(unit, Unit::Statement | Unit::Into) && direction == Direction::Forward && times <= ROWS_MAX;
     if !rows {
         return Answer::Moved(session.step(unit, direction, times));
     }

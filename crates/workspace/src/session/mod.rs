@@ -13,9 +13,12 @@ pub mod commands;
 mod listing;
 mod movement;
 pub mod recording;
+mod seen;
 pub mod table;
 pub mod texts;
+mod variables;
 
+use std::cell::OnceCell;
 use std::sync::Arc;
 
 use sieben_cpu::{Cpu, OperatingMode};
@@ -23,13 +26,11 @@ use sieben_engine::FaultPlace;
 use sieben_engine::machine::Registers;
 use sieben_lang::reason::{Moment, Reasons};
 use sieben_model::block::BlockId;
-use sieben_model::interface::Section;
 use sieben_model::symbols::SymbolTable;
-use sieben_model::types::DataType;
 use sieben_sim::history::{
     Breakpoint, Breakpoints, By, Condition, Halt, History, Hit, Plan, Position, StoreIfRlo, Target, Until, Unwatched, Watch,
 };
-use sieben_sim::names::{Name, NameError, Scope, Setting, Shown};
+use sieben_sim::names::{Name, NameError, Scope, Setting};
 
 use crate::project::Build;
 pub use change::{Changed, Lost, LostKind};
@@ -37,8 +38,11 @@ use change::{Request, Wanted};
 pub use changes::Change;
 pub use listing::{Goal, Line, Listing};
 pub use movement::{Direction, Unit};
-use movement::{Networks, StepEnd};
+use movement::{Networks, OverLibrary, StepEnd};
+pub use seen::LineValues;
+use seen::{OutOfLibrary, Returned};
 pub use sieben_lang::reason::Language;
+pub use variables::{LocalValue, Variables};
 
 /// Statements that one movement runs at most: a program that never comes to a breakpoint must come to an end.
 pub const STATEMENTS_MAX: u64 = 1_000_000;
@@ -69,28 +73,16 @@ pub struct View {
     pub registers: Vec<(&'static str, String)>,
     /// Registers and memory that the last statement has changed.
     pub changed: Vec<Change>,
+    /// Whether the last statement works on registers: those of ST never change what shows there.
+    pub on_registers: bool,
+    /// The variables that the last statement names, with their values after it; empty in STL.
+    pub values: Vec<(String, String)>,
     /// The blocks that run, outermost first.
     pub stack: Vec<BlockId>,
     /// What the CPU does.
     pub mode: OperatingMode,
     /// Breakpoints that paused the last movement, and what changed.
     pub hits: Vec<String>,
-}
-
-/// Values of one variable of a block that are shown at most.
-const LOCALS_MAX: usize = 32;
-
-/// A variable of the block where the run stands.
-#[derive(Clone, Debug)]
-pub struct LocalValue {
-    /// What it is declared as.
-    pub section: Section,
-    /// `#level`, `#list[2]`.
-    pub name: Name,
-    /// Its type.
-    pub data_type: DataType,
-    /// `None` if it lies nowhere: a parameter in the peripheral.
-    pub value: Option<Shown>,
 }
 
 /// Who changed a value last.
@@ -133,6 +125,12 @@ pub struct Session {
     watched: Vec<Name>,
     numbered: u32,
     hits: Vec<Hit>,
+    /// The variables of data blocks, once they were asked for.
+    fields: OnceCell<Vec<Name>>,
+    /// The call into the library that is over where the run stands.
+    returned: Option<Returned>,
+    /// Of the rows that were printed last, so that new columns get their head.
+    columns: Option<table::Columns>,
     if_rlo: StoreIfRlo,
     /// The language that everything is said in.
     pub language: Language,
@@ -155,6 +153,9 @@ impl Session {
             watched: Vec::new(),
             numbered: 0,
             hits: Vec::new(),
+            fields: OnceCell::new(),
+            returned: None,
+            columns: None,
             if_rlo: if_rlo(&build),
             build,
             language: Language::English,
@@ -166,6 +167,8 @@ impl Session {
         self.listing = Listing::new(Arc::clone(&build));
         (self.networks, self.if_rlo) = (networks(&build), if_rlo(&build));
         self.build = build;
+        self.returned = None;
+        self.fields = OnceCell::new();
     }
 
     /// A text in the language of this microscope, with values in their places.
@@ -219,11 +222,13 @@ impl Session {
     pub fn step(&mut self, unit: Unit, direction: Direction, times: u64) -> Halt {
         self.hits.clear();
         match (unit, direction) {
-            (Unit::Statement, Direction::Forward) => match self.history.forward(times.min(STATEMENTS_MAX)) {
+            (Unit::Statement, _) if !self.goes_over_library() => self.step(Unit::Into, direction, times),
+            (Unit::Statement, Direction::Forward) => self.over_library(times),
+            (Unit::Into, Direction::Forward) => match self.history.forward(times.min(STATEMENTS_MAX)) {
                 Halt::Reached if times > STATEMENTS_MAX => Halt::Limit,
                 halt => halt,
             },
-            (Unit::Statement, Direction::Back) => self.history.back(times),
+            (Unit::Into, Direction::Back) => self.history.back(times),
             (Unit::Scan, Direction::Forward) => {
                 match self.history.run(Until { statements: STATEMENTS_MAX, scans: times }, &mut Unwatched) {
                     Halt::Reached => Halt::Limit,
@@ -250,20 +255,68 @@ impl Session {
         }
     }
 
+    /// Whether a step may have to go over a block of the library: there is one, and the run does not stand in it.
+    fn goes_over_library(&self) -> bool {
+        let compiled = &self.build.compiled;
+        let has_library = !compiled.library.is_empty() || !compiled.st_library.is_empty();
+        has_library && self.history.next_place().is_none_or(|place| !self.in_library(place))
+    }
+
+    /// So many statements outside of the library.
+    fn over_library(&mut self, times: u64) -> Halt {
+        let build = Arc::clone(&self.build);
+        let mut watch = OverLibrary { is_of_library: &|block| build.compiled.is_of_library(block), left: times };
+        let from = self.history.position().statements;
+        let mut idle_scans = 0;
+        loop {
+            let passed = self.history.position().statements - from;
+            if passed >= STATEMENTS_MAX || idle_scans >= STEPS_MAX {
+                return Halt::Limit;
+            }
+            match self.history.run(Until { statements: STATEMENTS_MAX - passed, scans: 1 }, &mut watch) {
+                Halt::Watch => return Halt::Reached,
+                // After the last statement of a scan no other one is asked about.
+                Halt::ScanEnd if watch.left == 0 => return Halt::Reached,
+                Halt::ScanEnd => {
+                    let executed = self.history.position().statements - from;
+                    idle_scans = if executed == passed { idle_scans + 1 } else { 0 };
+                }
+                Halt::Reached => return Halt::Limit,
+                halt => return halt,
+            }
+        }
+    }
+
     fn step_to_end(&mut self, unit: Unit, direction: Direction) -> Halt {
         let depth = self.cpu().machine().frames.len().max(1);
-        let mut end = StepEnd::new(unit, direction, depth, self.history.next_place(), &self.networks);
         match direction {
             // A scan's end is the end of every block.
-            Direction::Forward => match self.history.run(Until { statements: STATEMENTS_MAX, scans: 1 }, &mut end) {
+            Direction::Forward => match self.history.run(
+                Until { statements: STATEMENTS_MAX, scans: 1 },
+                &mut StepEnd::new(unit, direction, depth, self.history.next_place(), &self.networks),
+            ) {
                 Halt::Watch | Halt::ScanEnd => Halt::Reached,
                 Halt::Reached => Halt::Limit,
                 halt => halt,
             },
-            Direction::Back => match self.history.find_back(false, &mut end) {
-                Ok(found) => self.history.go_to_position(found),
-                Err(halt) => self.go_to_first(halt),
-            },
+            Direction::Back if unit == Unit::Statement => {
+                let build = Arc::clone(&self.build);
+                self.find_and_go_back(&mut OutOfLibrary(&build.compiled))
+            }
+            Direction::Back => {
+                let networks = std::mem::take(&mut self.networks);
+                let mut end = StepEnd::new(unit, direction, depth, self.history.next_place(), &networks);
+                let halt = self.find_and_go_back(&mut end);
+                self.networks = networks;
+                halt
+            }
+        }
+    }
+
+    fn find_and_go_back(&mut self, watch: &mut dyn Watch) -> Halt {
+        match self.history.find_back(false, watch) {
+            Ok(found) => self.history.go_to_position(found),
+            Err(halt) => self.go_to_first(halt),
         }
     }
 
@@ -354,8 +407,7 @@ impl Session {
 
     /// Variables of a block by their names alone; those of ST are written without `#`.
     pub fn scope(&self, block: Option<BlockId>) -> Option<Scope> {
-        let bodies = &self.build.compiled.bodies;
-        block.map(|block| Scope { block, bare: bodies.get(&block).is_none_or(|body| body.has_bare_names()) })
+        scope(&self.build, block)
     }
 
     /// Reads the name of a value; a variable is one of this block. One of a block that does not run now has a value when it runs.
@@ -376,20 +428,6 @@ impl Session {
     /// It is a variable of an instance, and which one cannot be told here.
     pub fn bound(&self, name: Name) -> Result<Name, NameError> {
         name.readable().of_this_instance(self.cpu().machine(), self.cpu().registers())
-    }
-
-    /// The variables of the block where the run stands, with their values; `None` if no block runs.
-    pub fn locals(&self) -> Option<(BlockId, Vec<LocalValue>)> {
-        let block = self.history.next_place()?.block;
-        let (machine, registers) = (self.cpu().machine(), self.cpu().registers());
-        let values = sieben_sim::names::variables_of(block, self.cpu().program(), LOCALS_MAX);
-        let value = |(section, name, data_type): (Section, Name, DataType)| LocalValue {
-            section,
-            value: name.shown_in(machine, registers),
-            name,
-            data_type,
-        };
-        Some((block, values.into_iter().map(value).collect()))
     }
 
     /// Sets a breakpoint; the number that it got.
@@ -497,28 +535,34 @@ impl Session {
 
     /// Where the run stands.
     pub fn view(&mut self) -> View {
-        self.history.look_closely();
+        self.look_closely();
         let history = &self.history;
         let accumulators = self.build.cpu.accumulators;
         let after = self.registers();
         let mut changed = Vec::new();
-        if let Some(event) = history.last() {
+        let executed = self.executed();
+        let place = executed.map(|(event, _)| event.place);
+        if let Some((event, around)) = executed {
             changed = changes::of_registers(&event.before, &event.after, accumulators);
-            if let Some(around) = history.around() {
+            if let Some(around) = around {
                 let written = self.written(event.place);
+                // In STL people know the addresses; in ST nothing says where a variable lies.
+                let fields = if self.on_registers(Some(event.place.block)) { &[][..] } else { self.fields() };
                 let (program, mnemonics) = (self.cpu().program(), self.listing.places().mnemonics);
-                changed.extend(changes::of_memory(&around.before, &around.after, written.as_ref(), program, mnemonics));
+                changed.extend(changes::of_memory(&around.before, &around.after, written.as_ref(), fields, program, mnemonics));
             }
         }
-        let place = |place: Option<FaultPlace>| place.map(|place| self.listing.line(place));
+        let line = |place: Option<FaultPlace>| place.map(|place| self.listing.line(place));
         View {
+            on_registers: self.on_registers(place.or(history.next_place()).map(|place| place.block)),
+            values: self.values_after(),
             position: history.position().statements,
             end: history.end(),
             scan: history.scans().checked_sub(1),
             time_us: history.cpu().time_us(),
             present: history.is_at_present(),
-            executed: place(history.last().map(|event| event.place)),
-            next: place(history.next_place()),
+            executed: line(place),
+            next: line(history.next_place()),
             registers: changes::registers(&after, accumulators),
             changed,
             stack: history.cpu().machine().frames.iter().map(|frame| frame.block).collect(),
@@ -527,10 +571,16 @@ impl Session {
         }
     }
 
+    /// Whether the statements of a block work on registers; `None`: those of the block that the CPU runs first.
+    pub fn on_registers(&self, block: Option<BlockId>) -> bool {
+        let block = block.unwrap_or(BlockId::new(sieben_model::block::BlockKind::OrganizationBlock, 1));
+        self.build.compiled.bodies.get(&block).is_none_or(|body| body.works_on_registers())
+    }
+
     /// Why the last statement did what it did, in one sentence; empty if nothing has run.
     pub fn reason(&mut self) -> String {
-        self.history.look_closely();
-        let (Some(event), Some(around)) = (self.history.last(), self.history.around()) else { return String::new() };
+        self.look_closely();
+        let Some((event, Some(around))) = self.executed() else { return String::new() };
         let stopped = self.cpu().stop_cause().filter(|_| self.cpu().mode() == OperatingMode::Stop);
         let fault = stopped.filter(|cause| cause.place == Some(event.place)).map(|cause| cause.first_event);
         let moment = Moment { event, before: Some(&around.before), after: &around.after, fault };
@@ -557,6 +607,11 @@ impl Session {
     fn shown(&self, name: &Name, bits: Option<u64>) -> String {
         bits.map_or_else(|| self.say(texts::NOT_THERE, &[]), |bits| name.show_bits(bits).readable())
     }
+}
+
+/// Variables of a block by their names alone; those of ST are written without `#`.
+fn scope(build: &Build, block: Option<BlockId>) -> Option<Scope> {
+    block.map(|block| Scope { block, bare: build.compiled.bodies.get(&block).is_none_or(|body| body.has_bare_names()) })
 }
 
 /// The networks of the statements.

@@ -9,8 +9,10 @@ use sieben_sim::history::Watch;
 /// How far a step goes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unit {
-    /// To the next statement, into a block that is called.
+    /// To the next statement, into a block of the user that is called, over one of the library.
     Statement,
+    /// To the next statement, into whatever block is called.
+    Into,
     /// To the next statement, over a block that is called.
     Over,
     /// Out of the block.
@@ -71,7 +73,7 @@ impl Watch for StepEnd<'_> {
     fn before(&mut self, machine: &Machine, place: FaultPlace) -> bool {
         let depth = machine.frames.len();
         match self.unit {
-            Unit::Statement | Unit::Scan => false,
+            Unit::Statement | Unit::Into | Unit::Scan => false,
             Unit::Over => depth <= self.depth,
             Unit::Out => depth < self.depth,
             Unit::Network if depth > self.depth => false,
@@ -85,6 +87,26 @@ impl Watch for StepEnd<'_> {
     }
 
     fn after(&mut self, _machine: &Machine, _event: &StatementEvent) -> bool {
+        false
+    }
+}
+
+/// Pauses after so many statements outside of the library, before the next of them.
+pub(super) struct OverLibrary<'c> {
+    pub(super) is_of_library: &'c dyn Fn(BlockId) -> bool,
+    /// Statements that are still to come.
+    pub(super) left: u64,
+}
+
+impl Watch for OverLibrary<'_> {
+    fn before(&mut self, _: &Machine, place: FaultPlace) -> bool {
+        self.left == 0 && !(self.is_of_library)(place.block)
+    }
+
+    fn after(&mut self, _: &Machine, event: &StatementEvent) -> bool {
+        if !(self.is_of_library)(event.place.block) {
+            self.left = self.left.saturating_sub(1);
+        }
         false
     }
 }

@@ -2,59 +2,96 @@
 
 use serde_json::{Map, Value, json};
 use sieben_cpu::OperatingMode;
-use sieben_model::block::BlockId;
 use sieben_model::interface::Section;
 use sieben_sim::history::{Breakpoint, By, Halt};
 use sieben_sim::names::{Name, Setting, Shown};
 
 use super::commands::Answer;
-use super::{Change, Language, Line, LocalValue, Session, View, Who, texts};
+use super::{Change, Language, Line, LocalValue, Session, Variables, View, Who, texts};
 use crate::controller;
 use crate::failed::{self, Failed};
 use crate::names;
 use crate::refusal::Refusal;
 
-/// The head of the columns.
-pub fn head(language: Language) -> &'static str {
-    texts::pick(language, texts::HEAD)
+/// What stands in the rows of statements.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Columns {
+    /// The registers, then the statement.
+    Registers,
+    /// The statement, then the variables that it names.
+    Variables,
 }
 
-/// The row of the last statement: place, registers, text; below it what it changed and why.
+impl Columns {
+    fn of(on_registers: bool) -> Self {
+        if on_registers { Self::Registers } else { Self::Variables }
+    }
+
+    fn head(self, language: Language) -> &'static str {
+        texts::pick(language, if self == Self::Registers { texts::HEAD } else { texts::HEAD_OF_VARIABLES })
+    }
+}
+
+/// Columns of a statement of ST at least: after it stand the variables.
+const STATEMENT_WIDTH: usize = 44;
+
+/// The head of the columns of the block that runs first, or of the one where the run stands.
+pub fn head(session: &mut Session) -> &'static str {
+    let columns = Columns::of(session.on_registers(session.here()));
+    session.columns = Some(columns);
+    columns.head(session.language)
+}
+
+/// The row of the last statement: place, registers or values, text; below it what it changed and why. Where a block of another language begins, a
+/// head for its columns stands above.
 pub fn row(session: &mut Session) -> String {
     let language = session.language;
     let view = session.view();
-    let mut text = match &view.executed {
+    let columns = Columns::of(view.on_registers);
+    let mut text = String::new();
+    if view.executed.is_some() && session.columns.is_some_and(|printed| printed != columns) {
+        session.columns = Some(columns);
+        text.push_str(columns.head(language));
+    }
+    text.push_str(&match &view.executed {
         None => format!("{:>9}  {:>4}  {}\n", 0, number(view.scan), session.say(texts::RUN_BEGINS, &[])),
         Some(line) => {
-            let value = |name: &str| view.registers.iter().find(|(found, _)| *found == name).map_or("", |(_, value)| value.as_str());
-            let bits: Vec<String> = ["RLO", "STA", "/FC"].iter().map(|name| format!("{:>3}", value(name))).collect();
-            format!(
-                "{:>9}  {:>4}  {:<14}  {} {:>2} {:>2} {:>2} {:>2} {:>2}  {:<11}  {:<11}  {}\n",
-                view.position,
-                number(view.scan),
-                format!("{}:{}", short(&line.file), line.line),
-                bits.join(" "),
-                value("OR"),
-                value("CC"),
-                value("OV"),
-                value("OS"),
-                value("BR"),
-                value("ACCU1"),
-                value("ACCU2"),
-                line.said(language)
-            )
+            let place = format!("{}:{}", short(&line.file), line.line);
+            let begin = format!("{:>9}  {:>4}  {place:<14}", view.position, number(view.scan));
+            match columns {
+                Columns::Registers => format!("{begin}  {}  {}\n", registers_of(&view), line.said(language)),
+                Columns::Variables if view.values.is_empty() => format!("{begin}  {}\n", line.said(language)),
+                Columns::Variables => format!("{begin}  {:<STATEMENT_WIDTH$}  // {}\n", line.said(language), after(&view.values)),
+            }
         }
-    };
+    });
     let reason = session.reason();
     if !reason.is_empty() {
         text.push_str(&format!("                 {reason}\n"));
     }
-    let others = view.changed.iter().filter(|change| !COLUMNS.contains(&change.name.as_str()));
+    let others = view.changed.iter().filter(|change| match columns {
+        Columns::Registers => !COLUMNS.contains(&change.name.as_str()),
+        // The registers of a call of ST are those of the compiler.
+        Columns::Variables => !view.registers.iter().any(|(name, _)| *name == change.name),
+    });
     let others: Vec<String> = others.map(|change| format!("{}: {} -> {}", change.name, change.before, change.after)).collect();
     if !others.is_empty() {
         text.push_str(&format!("                 {}\n", others.join("; ")));
     }
     text
+}
+
+/// The registers in their columns.
+fn registers_of(view: &View) -> String {
+    let value = |name: &str| view.registers.iter().find(|(found, _)| *found == name).map_or("", |(_, value)| value.as_str());
+    let bits: Vec<String> = ["RLO", "STA", "/FC"].iter().map(|name| format!("{:>3}", value(name))).collect();
+    let narrow: Vec<String> = ["OR", "CC", "OV", "OS", "BR"].iter().map(|name| format!("{:>2}", value(name))).collect();
+    format!("{} {}  {:<11}  {:<11}", bits.join(" "), narrow.join(" "), value("ACCU1"), value("ACCU2"))
+}
+
+/// `speed = 7, step = 1`.
+pub fn after(values: &[(String, String)]) -> String {
+    values.iter().map(|(name, value)| format!("{name} = {value}")).collect::<Vec<_>>().join(", ")
 }
 
 /// Registers that have a column.
@@ -95,9 +132,7 @@ pub fn answer(session: &mut Session, answer: &Answer) -> String {
                 None => None,
             };
             text.push_str(&next.map_or_else(String::new, |next| format!("  {next}\n")));
-            for name in session.watched() {
-                text.push_str(&format!("  {} = {}\n", name.text(), session.value(name)));
-            }
+            text.extend(session.watched().iter().map(|name| value_text(session, name)));
             text
         }
         Answer::Text(text) => text.clone(),
@@ -111,7 +146,7 @@ pub fn answer(session: &mut Session, answer: &Answer) -> String {
             format!("  {failed}\n  {}\n{lines}", session.say(texts::DIAGNOSTIC_BUFFER, &[]))
         }
         Answer::Values(names) => names.iter().map(|name| value_text(session, name)).collect(),
-        Answer::Locals(locals) => locals_text(session, locals.as_ref()),
+        Answer::Locals(locals) => locals_text(session, locals),
         Answer::Set(Setting { name, text, .. }) => {
             let taken = name.holds(session.cpu(), text).unwrap_or(true);
             let later = if taken { "" } else { texts::pick(session.language, texts::SEEN_LATER) };
@@ -136,21 +171,27 @@ fn value_text(session: &Session, name: &Name) -> String {
     format!("  {} = {}\n{details}", name.text(), session.value(name))
 }
 
-/// The variables of a block, in columns.
-fn locals_text(session: &Session, locals: Option<&(BlockId, Vec<LocalValue>)>) -> String {
-    let Some((block, values)) = locals else { return format!("  {}\n", session.say(texts::NO_BLOCK_RUNS, &[])) };
-    let block = &session.listing().called(*block);
-    if values.is_empty() {
-        return format!("  {}\n", session.say(texts::NO_VARIABLES, &[block]));
+/// The variables of blocks, in columns.
+fn locals_text(session: &Session, locals: &[Variables]) -> String {
+    if locals.is_empty() {
+        return format!("  {}\n", session.say(texts::NOTHING_KEPT, &[]));
     }
-    let width = |width: &dyn Fn(&LocalValue) -> usize| values.iter().map(width).max().unwrap_or_default();
+    let all = || locals.iter().flat_map(|one| &one.values);
+    let width = |width: &dyn Fn(&LocalValue) -> usize| all().map(width).max().unwrap_or_default();
     let names = width(&|one| one.name.text().chars().count());
-    let types = width(&|one| one.data_type.to_string().chars().count());
+    let types = width(&|one| one.type_word.chars().count());
     let line = |one: &LocalValue| {
         let value = one.value.as_ref().map_or_else(|| "-".to_owned(), Shown::readable);
-        format!("    {:<7} {:names$}  {:types$}  {value}\n", section(one.section), one.name.text(), one.data_type.to_string())
+        format!("    {:<7} {:names$}  {:types$}  {value}\n", section(one.section), one.name.text(), one.type_word)
     };
-    format!("  {}\n", session.say(texts::VARIABLES_OF, &[block])) + &values.iter().map(line).collect::<String>()
+    let of = |variables: &Variables| {
+        let owner = &session.owner(variables);
+        if variables.values.is_empty() {
+            return format!("  {}\n", session.say(texts::NO_VARIABLES, &[owner]));
+        }
+        format!("  {}\n", session.say(texts::VARIABLES_OF, &[owner])) + &variables.values.iter().map(line).collect::<String>()
+    };
+    locals.iter().map(of).collect()
 }
 
 /// The short word for a part of a declaration.
@@ -252,6 +293,10 @@ pub fn answer_json(session: &mut Session, command: &str, answer: &Answer) -> Val
         "mode": view.mode.to_string(),
         "stop": stop,
     });
+    if !view.on_registers && view.executed.is_some() {
+        let values = view.values.iter().map(|(name, value)| (name.clone(), json!(value)));
+        object["line_values"] = Value::Object(values.collect());
+    }
     let shown = |names: &[Name], session: &Session| -> Map<String, Value> {
         names.iter().map(|name| (name.text().to_owned(), names::to_json(name, session.cpu()))).collect()
     };
@@ -264,13 +309,22 @@ pub fn answer_json(session: &mut Session, command: &str, answer: &Answer) -> Val
             }
         }
         Answer::Locals(locals) => {
-            object["locals"] = locals.as_ref().map_or(Value::Null, |(block, values)| {
-                let value = |one: &LocalValue| {
-                    json!({ "section": section(one.section), "name": one.name.text(), "type": one.data_type.to_string(),
-                            "value": one.value.as_ref().map_or(Value::Null, names::shown_json) })
-                };
-                json!({ "block": block.to_string(), "variables": values.iter().map(value).collect::<Vec<_>>() })
-            });
+            let value = |one: &LocalValue| {
+                json!({ "section": section(one.section), "name": one.name.text(), "type": one.type_word,
+                        "value": one.value.as_ref().map_or(Value::Null, names::shown_json) })
+            };
+            let of = |one: &Variables| {
+                let mut of = json!({ "block": one.block.to_string(), "variables": one.values.iter().map(value).collect::<Vec<_>>() });
+                if let Some(number) = one.data_block {
+                    of["data_block"] = json!(format!("DB {number}"));
+                }
+                of
+            };
+            let running = locals.iter().find(|one| one.data_block.is_none());
+            object["locals"] = running.map_or(Value::Null, of);
+            if running.is_none() {
+                object["kept"] = Value::Array(locals.iter().map(of).collect());
+            }
         }
         Answer::Values(names) => object["values"] = Value::Object(shown(names, session)),
         Answer::Set(set) => object["set"] = json!({ "name": set.name.text(), "value": set.text }),

@@ -2,39 +2,17 @@
 //!
 //! A text with `{0}`, `{1}` has values put there by [`fill`]. The reasons of statements are a table of their own, in `lang::reason`.
 
-use super::Language;
-
-/// A text in both languages.
-pub type Text = [&'static str; 2];
-
-/// One of two texts.
-pub fn pick(language: Language, [english, german]: Text) -> &'static str {
-    match language {
-        Language::English => english,
-        Language::German => german,
-    }
-}
-
-/// A text with values in their places.
-pub fn fill(language: Language, text: Text, values: &[&dyn std::fmt::Display]) -> String {
-    let mut out = String::new();
-    let mut rest = pick(language, text);
-    while let Some((before, behind)) = rest.split_once('{') {
-        out.push_str(before);
-        let (index, behind) = behind.split_once('}').unwrap_or((behind, ""));
-        if let Some(value) = index.parse::<usize>().ok().and_then(|index| values.get(index)) {
-            out.push_str(&value.to_string());
-        }
-        rest = behind;
-    }
-    out + rest
-}
+pub use sieben_model::language::{Text, fill, pick};
 
 // The table of statements.
 
 pub(crate) const HEAD: Text = [
     "      pos  scan  place           RLO STA /FC OR CC OV OS BR  ACCU1        ACCU2        statement\n",
     "      Pos  Zykl  Stelle          VKE STA /ER OR A  OV OS BIE AKKU1        AKKU2        Anweisung\n",
+];
+pub(crate) const HEAD_OF_VARIABLES: Text = [
+    "      pos  scan  place           statement                                     // variables after it\n",
+    "      Pos  Zykl  Stelle          Anweisung                                     // Variablen danach\n",
 ];
 pub(crate) const RUN_BEGINS: Text = ["the run begins", "der Lauf beginnt"];
 pub(crate) const NEXT: Text = ["next: {0}:{1}: {2}", "weiter mit: {0}:{1}: {2}"];
@@ -126,8 +104,13 @@ pub(crate) const REGISTER_WRITTEN: Text = [
     "`{0}` is a register, which nearly every statement writes; `watch {0}` waits for a change",
     "`{0}` ist ein Register, das fast jede Anweisung schreibt; `watch {0}` wartet auf eine Änderung",
 ];
-/// Between two scans there are no variables of blocks.
-pub const NO_BLOCK_RUNS: Text = ["no block runs: the CPU is between two scans", "es läuft kein Baustein: Die CPU ist zwischen zwei Zyklen"];
+pub(crate) const NO_BLOCK_RUNS: Text =
+    ["no block runs: the CPU is between two scans", "es läuft kein Baustein: Die CPU ist zwischen zwei Zyklen"];
+/// Between two scans there are only variables that an instance keeps.
+pub const NOTHING_KEPT: Text = [
+    "no block runs, and the program keeps no variables between two scans",
+    "es läuft kein Baustein, und zwischen zwei Zyklen behält das Programm keine Variablen",
+];
 pub(crate) const NO_VARIABLES: Text = ["{0} has no variables of its own", "{0} hat keine eigenen Variablen"];
 /// The heading of the variables of a block.
 pub const VARIABLES_OF: Text = ["variables of {0}", "Variablen von {0}"];
@@ -152,16 +135,3 @@ pub(crate) const NO_STATEMENT_FROM: Text = [
     "no statement stands in `{0}` from line {1} on; the last one is in line {2}",
     "in `{0}` steht ab Zeile {1} keine Anweisung mehr; die letzte steht in Zeile {2}",
 ];
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn values_stand_where_the_text_of_each_language_wants_them() {
-        let text = ["{0} of {1}", "von {1} die {0}"];
-        assert_eq!(fill(Language::English, text, &[&1, &"two"]), "1 of two");
-        assert_eq!(fill(Language::German, text, &[&1, &"two"]), "von two die 1");
-        assert_eq!(fill(Language::English, ["a { b", ""], &[]), "a ");
-    }
-}

@@ -113,6 +113,9 @@ impl Reader {
                 },
             }
         }
+        if let Err(message) = device.terminals() {
+            self.diagnostics.push(Diagnostic::new(Problem::P6271, span, message));
+        }
         if self.settings.modules.iter().any(|other| other.device.name == device.name) {
             let message = format!("two modules are called `{}`: give this one another `name`", device.name);
             self.diagnostics.push(Diagnostic::new(Problem::P6271, span, message));
@@ -189,7 +192,11 @@ impl Reader {
     }
 
     fn fault(&mut self, text: &str, span: Span, device: &DeviceSettings) -> Option<Fault> {
-        let fault = Fault::parse_for(&device.name, text).and_then(|fault| fault.fits(device.kind).map(|_| fault));
+        let fault = Fault::parse_for(&device.name, text).and_then(|fault| {
+            // Terminals that do not go together are reported where the module is read.
+            let terminals = device.terminals().or_else(|_| DeviceSettings::new(device.kind).terminals())?;
+            fault.fits(device.kind, &terminals.signals).map(|_| fault)
+        });
         match fault {
             Ok(fault) => Some(fault),
             Err(message) => {
@@ -231,7 +238,7 @@ mod tests {
 
     #[test]
     fn every_mistake_has_a_sentence() {
-        let kinds = "`conveyor`, `dosing`, `elevator`, `junction`, `motor`, `tank` or `thermal`";
+        let kinds = "`conveyor`, `dosing`, `elevator`, `junction`, `motor`, `panel`, `tank` or `thermal`";
         for (text, expected) in [
             (
                 "[module]\nkind = \"tank\"\n",
@@ -265,6 +272,14 @@ mod tests {
             (
                 "[[module]]\nkind = \"tank\"\n[[module]]\nkind = \"tank\"\ninput = 4\noutput = 4\n",
                 "P6271: two modules are called `tank`: give this one another `name`".to_owned(),
+            ),
+            (
+                "[[module]]\nkind = \"panel\"\nlamps = 10\n",
+                "P6271: `lamps` and `display` of the panel both use QB 12: give one of them another byte".to_owned(),
+            ),
+            (
+                "[[module]]\nkind = \"panel\"\n[[module]]\nkind = \"tank\"\ninput = 20\noutput = 8\n",
+                "P8002: the modules `panel` and `tank` both use `PQB 8`; every byte belongs to at most one module".to_owned(),
             ),
             (
                 "[[module]]\nkind = \"tank\"\n[[module]]\nkind = \"motor\"\noutput = 4\n",

@@ -124,7 +124,12 @@ impl Scene<'_> {
             left.push(Span::styled(mode.to_owned(), palette.colour(Color::Yellow)));
         }
         frame.render_widget(Paragraph::new(Line::from(left)), area);
-        let speed = look.word("speed").replace('x', "×");
+        // `10x` is a factor, `max` a word.
+        let speed = look.word("speed");
+        let speed = match speed.strip_suffix('x') {
+            Some(factor) if speed != "max" => format!("{factor}×"),
+            _ => speed.to_owned(),
+        };
         let speed = if look.is_paused() { format!("{}, {speed}", self.screen.word(words::PAUSED)) } else { speed };
         let auto = self.screen.story.as_ref().is_some_and(|story| story.is_on.load(Ordering::Relaxed));
         let auto = if auto { format!("{}  ", self.screen.word(words::AUTO)) } else { String::new() };

@@ -31,9 +31,12 @@ impl Scene<'_> {
         let [first, second] = if area.height < ABOVE && area.width >= BESIDE {
             Layout::horizontal([Constraint::Fill(1), Constraint::Fill(1)]).areas(area)
         } else {
-            let counts = groups.map(|(group, _)| u16::try_from(self.rows_of(group).len().clamp(2, 60)).unwrap_or(60) + 2);
-            // Each has what it needs; where that is too much, as much of the room.
-            Layout::vertical(counts.map(Constraint::Fill)).areas(area)
+            // The one that needs less has what it needs, up to half of the room.
+            let [inputs, outputs] =
+                groups.map(|(group, _)| u16::try_from(self.rows_of(group).len().max(2)).unwrap_or(u16::MAX).saturating_add(2));
+            let half = area.height / 2;
+            let height = if inputs <= outputs { inputs.min(half) } else { area.height.saturating_sub(outputs.min(half)) };
+            Layout::vertical([Constraint::Length(height), Constraint::Fill(1)]).areas(area)
         };
         for ((group, head), area) in groups.into_iter().zip([first, second]) {
             self.group(frame, area, group, self.screen.word(head));

@@ -1,6 +1,16 @@
 //! Pictures of simulated plants, each drawn of one moment that is data.
 
+mod canvas;
+mod conveyor;
+mod dosing;
+mod elevator;
+mod junction;
+mod motor;
+mod panel;
+mod tank;
 mod terminals;
+mod thermal;
+mod view;
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -13,6 +23,8 @@ use sieben_sim::devices::Kind;
 use sieben_sim::wrap::{self, Plant};
 
 use crate::palette::Palette;
+use canvas::Canvas;
+use view::View;
 
 /// A simulated plant at one moment, as data.
 #[derive(Clone, Debug)]
@@ -33,7 +45,7 @@ pub(crate) struct PlantLook {
     pub(crate) outputs: Vec<u8>,
     /// What only the plant knows: name, value, unit.
     pub(crate) state: Vec<(&'static str, f64, &'static str)>,
-    /// Faults that it has, in the words of `--fault`.
+    /// Faults that it has at this moment, in the words of `--fault`.
     pub(crate) faults: Vec<String>,
     /// Symbols by address as English mnemonics write it with a space, `I 0.0`; empty if addresses have to do.
     pub(crate) symbols: Arc<BTreeMap<String, String>>,
@@ -54,8 +66,8 @@ impl PlantLook {
             parameters: settings.parameters.clone(),
             inputs: inputs.map(read).collect(),
             outputs: outputs.map(put).collect(),
-            state: plant.device().state(),
-            faults: plant.faults().map(ToString::to_string).collect(),
+            state: plant.device().state().into_iter().chain(plant.device().shown(rack.outputs())).collect(),
+            faults: plant.acting_faults().map(ToString::to_string).collect(),
             symbols: Arc::clone(symbols),
         }
     }
@@ -91,14 +103,47 @@ pub(crate) struct Moment {
     pub(crate) time_ms: u64,
 }
 
+/// How plants of a kind are drawn.
+struct Picture {
+    /// The name of the kind.
+    kind: &'static str,
+    sizes: Sizes,
+    /// Draws on a canvas of any size.
+    draw: fn(&mut Canvas<'_>, &View<'_>),
+}
+
+/// One for each kind.
+const PICTURES: [Picture; 8] = [
+    conveyor::PICTURE,
+    dosing::PICTURE,
+    elevator::PICTURE,
+    junction::PICTURE,
+    motor::PICTURE,
+    panel::PICTURE,
+    tank::PICTURE,
+    thermal::PICTURE,
+];
+
+/// A kind without a picture of its own shows its terminals.
+const TERMINALS: Picture = Picture {
+    kind: "",
+    sizes: Sizes { least: Size { width: 40, height: 11 }, best: Size { width: 60, height: 22 } },
+    draw: |canvas, view| terminals::column(canvas, view, (0, 0, canvas.width()), &[]),
+};
+
+fn picture(kind: &Kind) -> &'static Picture {
+    PICTURES.iter().find(|picture| picture.kind == kind.name).unwrap_or(&TERMINALS)
+}
+
 /// Columns and rows that the picture of a kind takes at best and at least.
 pub(crate) fn size(kind: &Kind) -> Sizes {
-    let _ = kind;
-    Sizes { least: Size { width: 40, height: 11 }, best: Size { width: 60, height: 22 } }
+    picture(kind).sizes
 }
 
 /// Draws a plant into an area of any size, from its upper left corner on.
 pub(crate) fn draw(buffer: &mut Buffer, area: Rect, plant: &PlantLook, moment: Moment, palette: Palette) {
-    let _ = moment;
-    terminals::draw(buffer, area, plant, palette);
+    (picture(plant.kind).draw)(&mut Canvas::new(buffer, area, palette), &View::new(plant, moment));
 }
+
+#[cfg(test)]
+mod tests;

@@ -137,6 +137,11 @@ fn a_stop_shows_its_cause_and_a_block_that_does_not_run_nothing() {
     let shown = text(&drawn(&played.look, &played.screen, (100, 30)));
     assert!(shown.contains("● STOP") && shown.lines().nth(1).is_some_and(|line| line.contains("STOP")), "{shown}");
     assert!(played.look.program.seen.is_empty(), "a CPU in STOP executes nothing");
+    for (speed, shown) in [("max", " max "), ("0.5x", " 0.5× "), ("1x", " 1× ")] {
+        played.look.state["speed"] = json!(speed);
+        let header = text(&drawn(&played.look, &played.screen, (100, 30))).lines().next().map(|line| format!("{line} "));
+        assert!(header.as_ref().is_some_and(|header| header.contains(shown)), "{header:?}");
+    }
 }
 
 #[test]

@@ -26,6 +26,9 @@ pub struct Surroundings {
 
 /// Does a job at the cycle control point. It was looked at by [`super::guard`] before.
 pub fn perform(job: &Job, plant: &mut Plant, around: &mut Surroundings, by: Requester) -> Reply {
+    if !job.only_reads() {
+        plant.touch();
+    }
     match job {
         Job::Read(items) => variables::read(plant, items),
         Job::Write(items) => variables::write(plant, items),

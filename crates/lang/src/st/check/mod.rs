@@ -10,7 +10,7 @@ mod expressions;
 mod flow;
 mod functions;
 mod instructions;
-mod literals;
+pub(crate) mod literals;
 mod locals;
 mod loops;
 pub(crate) mod members;

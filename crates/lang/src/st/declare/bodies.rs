@@ -4,7 +4,6 @@ use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::sync::Arc;
 
 use sieben_engine::CodeBlock;
-use sieben_engine::program::Names as ProgramNames;
 use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::cpu_type::CpuType;
 use sieben_model::diagnostic::{Diagnostic, Severity};
@@ -12,7 +11,6 @@ use sieben_model::interface::Interface;
 use sieben_model::problems::Problem;
 use sieben_model::testing::{Signal, TestPlan, WordCall};
 
-use super::access::operand;
 use super::ast;
 use super::constructors::Beginning;
 use super::environment::{Environment, starting};
@@ -21,12 +19,10 @@ use super::programs::Generated;
 use super::{Located, organization_blocks};
 use crate::coverage::Countable;
 use crate::declarations::interface::{lay_out, too_much_local_data};
-use crate::scope::key;
-use crate::st::check::names::{Entity, Variable};
 use crate::st::check::{Block, Checked, check};
 use crate::st::dialect::{Construct, Judgement};
 use crate::st::lower::{Known, lower, lower_counted};
-use crate::st::tree::{Base, Body, TypedBlock};
+use crate::st::tree::{Body, TypedBlock};
 
 /// The organization block of a warm restart.
 const WARM_RESTART: u16 = 100;
@@ -250,34 +246,6 @@ impl Environment<'_> {
         countable.statements.retain(|(span, _)| *span != place);
         (lowered, Some(countable))
     }
-
-    /// What people call the variables of the program.
-    pub(crate) fn program_names(&self, diagnostics: &mut Vec<Diagnostic>) -> ProgramNames {
-        let mut names = ProgramNames::default();
-        for (id, name) in &self.items.names {
-            if id.kind == BlockKind::DataBlock {
-                names.blocks.insert(key(name), id.number);
-            }
-        }
-        for program in &self.items.programs {
-            // The name of a PROGRAM is enough where it has one instance.
-            if self.items.program(&key(&program.of)).is_some_and(|only| only.instance == program.instance) {
-                names.blocks.entry(key(&program.of)).or_insert(program.instance);
-            }
-            names.open.push(program.instance);
-            if let Some(declared) = self.declared(program.block) {
-                declared.variables.iter().for_each(|variable| locate(&mut names, &program.name, variable));
-            }
-        }
-        names.open.extend(self.items.lists.iter().map(|list| list.number));
-        for (name, entity) in &self.globals {
-            if let (Some((list, _)), Entity::Variable(variable)) = (name.rsplit_once('.'), entity) {
-                locate(&mut names, list, variable);
-            }
-        }
-        self.access_names(&mut names, diagnostics);
-        names
-    }
 }
 
 /// The shortest way from a block through its calls back to it, without its end; `None` if there is none.
@@ -301,21 +269,4 @@ fn circle(start: BlockId, calls: &BTreeMap<BlockId, BTreeSet<BlockId>>) -> Optio
         }
     }
     None
-}
-
-/// Takes in the name of a variable with an address, alone and with that of its program or list.
-fn locate(names: &mut ProgramNames, owner: &str, variable: &Variable) {
-    let Base::Area(area) = variable.base else { return };
-    let width = match variable.data_type.width() {
-        Some(width) => width,
-        None => return,
-    };
-    if area == sieben_model::address::Area::Local {
-        return;
-    }
-    if let Some(operand) = operand(&variable.base, variable.offset, width) {
-        for name in [key(&variable.name), key(&format!("{owner}.{}", variable.name))] {
-            names.located.entry(name).or_insert((operand, variable.data_type.clone()));
-        }
-    }
 }

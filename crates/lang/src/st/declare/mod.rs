@@ -21,6 +21,7 @@ mod needed;
 mod numbers;
 mod object_rules;
 mod objects;
+mod program_names;
 mod programs;
 mod tests;
 mod types;

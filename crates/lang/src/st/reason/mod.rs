@@ -1,6 +1,7 @@
 //! Why a statement of Structured Text did what it did: what was read, and what came of it.
 
 mod failed;
+mod named;
 mod values;
 
 use sieben_engine::ir::{self, Inst};
@@ -12,6 +13,7 @@ use crate::sentences::table::Sentence as S;
 use crate::sentences::text::{Clause, Words, one_line};
 use crate::sentences::{Language, Moment, Surroundings};
 use crate::st::tree::{Argument, Call, Callee, For, Statement, StatementKind, TypedBlock, Value};
+pub(crate) use named::named;
 use values::{Values, format_scalar};
 
 /// Values that a sentence shows.
