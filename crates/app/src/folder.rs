@@ -127,6 +127,14 @@ impl Folder {
         self.open_file(name, OFlags::WRONLY | OFlags::CREATE)
     }
 
+    /// Makes a file that only this user reads and writes; there must be none of this name.
+    pub(crate) fn new_private(&self, name: &OsStr) -> io::Result<File> {
+        let flags = OFlags::WRONLY | OFlags::CREATE | OFlags::EXCL | OFlags::NOFOLLOW | QUIETLY;
+        let file = fs::openat(&self.handle, name, flags, Mode::from_raw_mode(0o600))?;
+        self.sync()?;
+        Ok(File::from(file))
+    }
+
     fn open_file(&self, name: &OsStr, flags: OFlags) -> io::Result<File> {
         // A look before: opening a device may already do something. A look after: what was opened may have come in between.
         self.holds(name)?;

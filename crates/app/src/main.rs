@@ -19,6 +19,7 @@ mod instances;
 mod language;
 mod linking;
 mod output;
+mod page;
 mod palette;
 mod panics;
 mod paths;

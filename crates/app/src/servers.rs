@@ -35,6 +35,10 @@ use crate::failure::Failure;
 use crate::folder::{self, Folder};
 use crate::linking::Preparing;
 
+mod page;
+
+pub(crate) use page::{PreparedPage, Usually};
+
 /// Ports after the usual one that the demo tries.
 const PORTS_MAX: u16 = 20;
 /// First port that needs no right of its own.
@@ -46,6 +50,15 @@ pub(crate) struct ServerArguments {
     /// Serve S7 clients, at this address [default: that of the project, else 127.0.0.1:1102]
     #[arg(long, value_name = "ADDRESS", num_args = 0..=1, default_missing_value = "")]
     s7: Option<String>,
+    /// Serve the page, at this address [default: that of the project, else 127.0.0.1:7300 or the next free port]
+    #[arg(long, value_name = "ADDRESS", num_args = 0..=1, default_missing_value = "")]
+    page: Option<String>,
+    /// Serve no page
+    #[arg(long, conflicts_with_all = ["page", "open"])]
+    no_page: bool,
+    /// Open the page in the browser
+    #[arg(long)]
+    open: bool,
     /// Let others than this computer reach a server, at exactly this address: `s7=0.0.0.0:102`
     #[arg(long, value_name = "SERVER=ADDRESS", value_parser = exposed)]
     expose: Vec<Exposed>,
@@ -59,6 +72,7 @@ pub(crate) struct ServerArguments {
 enum Kind {
     S7,
     Metrics,
+    Page,
 }
 
 impl Kind {
@@ -67,6 +81,16 @@ impl Kind {
         match self {
             Self::S7 => "s7",
             Self::Metrics => "metrics",
+            Self::Page => "page",
+        }
+    }
+
+    /// Where it listens for this computer alone, and where it does not disturb others.
+    fn usual(self) -> SocketAddr {
+        match self {
+            Self::S7 => LISTEN,
+            Self::Metrics => SocketAddr::from(([127, 0, 0, 1], 9100)),
+            Self::Page => page::LISTEN,
         }
     }
 }
@@ -77,8 +101,9 @@ type Exposed = (Kind, SocketAddr);
 fn exposed(text: &str) -> Result<Exposed, String> {
     let wanted = || format!("`{text}` is no server with its address; write `s7=0.0.0.0:1102`");
     let (name, place) = text.split_once('=').ok_or_else(wanted)?;
-    let kind = [Kind::S7, Kind::Metrics].into_iter().find(|kind| kind.word() == name);
-    let kind = kind.ok_or_else(|| format!("there is no server `{name}`; write `s7=0.0.0.0:1102` or `metrics=0.0.0.0:9100`"))?;
+    let kind = [Kind::S7, Kind::Metrics, Kind::Page].into_iter().find(|kind| kind.word() == name);
+    let kind =
+        kind.ok_or_else(|| format!("there is no server `{name}`; write `s7=0.0.0.0:1102`, `page=0.0.0.0:7300` or `metrics=0.0.0.0:9100`"))?;
     address(place).map(|address| (kind, address)).ok_or_else(wanted)
 }
 
@@ -87,15 +112,18 @@ fn metrics_address(text: &str) -> Result<SocketAddr, String> {
 }
 
 impl ServerArguments {
-    /// Takes a path back that followed `--s7`, where an address may stand.
+    /// Takes a path back that followed `--s7` or `--page`, where an address may stand.
     pub(crate) fn give_back(&mut self, paths: &mut Vec<PathBuf>) -> Result<(), Failure> {
-        let Some(word) = self.s7.as_ref().filter(|word| !word.is_empty() && address(word).is_none()) else { return Ok(()) };
-        if !Path::new(word).exists() {
-            let message = format!("`{word}` is neither an address nor a file or folder");
-            return Err(Failure::usage(Problem::P7001, message).help("write `--s7 127.0.0.1:1102`, or `--s7` alone"));
+        for (kind, option) in [(Kind::S7, &mut self.s7), (Kind::Page, &mut self.page)] {
+            let Some(word) = option.as_ref().filter(|word| !word.is_empty() && address(word).is_none()) else { continue };
+            if !Path::new(word).exists() {
+                let (message, option) = (format!("`{word}` is neither an address nor a file or folder"), kind.word());
+                let help = format!("write `--{option} {}`, or `--{option}` alone", kind.usual());
+                return Err(Failure::usage(Problem::P7001, message).help(help));
+            }
+            paths.insert(0, PathBuf::from(word));
+            *option = Some(String::new());
         }
-        paths.insert(0, PathBuf::from(word));
-        self.s7 = Some(String::new());
         Ok(())
     }
 
@@ -140,7 +168,7 @@ impl ServerArguments {
             let served: Vec<Served> = viewer.iter().map(|viewer| served(viewer.view())).collect();
             metrics::text(&gate, &served).ok()
         };
-        let failed = |error: io::Error| not_listening(wanted, &error);
+        let failed = |error: io::Error| not_listening(Kind::Metrics, wanted, &error);
         server::listen(wanted).and_then(|listener| Metrics::start(listener, Box::new(text))).map(Some).map_err(failed)
     }
 
@@ -162,6 +190,11 @@ impl ServerArguments {
             (Some(other), _) => format!("the server `{word}` would listen at {listen}, but what `--expose` names is {other}"),
             (None, Kind::Metrics) => {
                 format!("{listen} can be reached by other computers, and every client reads the numbers of this run")
+            }
+            (None, Kind::Page) => {
+                format!(
+                    "{listen} can be reached by other computers, and HTTP has no encryption: who sees its token writes and stops this CPU"
+                )
             }
             (None, Kind::S7) => format!(
                 "{listen} can be reached by other computers, and S7 has no encryption: every client reads, writes and stops this CPU"
@@ -211,7 +244,7 @@ impl Prepared {
             }
             None => {
                 arguments.check(Kind::S7, config.listen)?;
-                server::listen(config.listen).map_err(|error| not_listening(config.listen, &error))?
+                server::listen(config.listen).map_err(|error| not_listening(Kind::S7, config.listen, &error))?
             }
         };
         let home = project.home.as_deref().unwrap_or(Path::new(""));
@@ -241,7 +274,7 @@ impl Prepared {
                 break;
             }
         }
-        let listener = listening.map_err(|error| not_listening(wanted, &error))?;
+        let listener = listening.map_err(|error| not_listening(Kind::S7, wanted, &error))?;
         let config = Config { listen: wanted, ..Config::default() };
         let names = Communication { system_name: "Dosing".to_owned(), plant_name: "Sieben demo".to_owned(), ..Communication::default() };
         Ok(Some(Self { listener, config, recorders: Recorders::default(), names }))
@@ -256,7 +289,7 @@ impl Prepared {
         // Without the thread data blocks get other values and nothing else.
         shared.around.linker = Preparing::start(engine).ok().map(|preparing| Arc::new(preparing) as Arc<dyn Linker>);
         let setup = Setup { config, shared, names, recorders, clock: Box::new(wall_us) };
-        let s7 = Server::start(listener, cpu, Arc::clone(gate), setup).map_err(|error| not_listening(listen, &error))?;
+        let s7 = Server::start(listener, cpu, Arc::clone(gate), setup).map_err(|error| not_listening(Kind::S7, listen, &error))?;
         let is_exposed = !s7.address().ip().to_canonical().is_loopback();
         Ok(Servers { s7, control_log, protection, has_password, is_exposed })
     }
@@ -310,7 +343,7 @@ impl Servers {
     pub(crate) fn introduce(&self, facts: &CurrentFacts, gate: &Arc<Gate>) {
         facts.set_clients(self.clients(gate));
         if let Some(log) = self.control_log.clone() {
-            facts.set_listener(Box::new(move |changes| log.note(changes, wall_us())));
+            facts.add_listener(Box::new(move |peer, changes| log.note(peer, changes, wall_us())));
         }
     }
 
@@ -415,15 +448,15 @@ fn not_written(file: &str, error: &io::Error) -> Failure {
     Failure::usage(Problem::P7103, format!("the server cannot write `{file}`: {error}"))
 }
 
-fn not_listening(address: SocketAddr, error: &io::Error) -> Failure {
-    let port = address.port();
-    let other = SocketAddr::new(address.ip(), if port == LISTEN.port() { port + 1 } else { LISTEN.port() });
+fn not_listening(kind: Kind, address: SocketAddr, error: &io::Error) -> Failure {
+    let (port, usual, word) = (address.port(), kind.usual().port(), kind.word());
+    let other = SocketAddr::new(address.ip(), if port == usual { port.saturating_add(1) } else { usual });
     match error.kind() {
         ErrorKind::AddrInUse => Failure::usage(Problem::P7101, format!("another program listens at {address} already"))
-            .help(format!("end it, perhaps another `sieben`, or choose another port: `--s7 {other}`")),
+            .help(format!("end it, perhaps another `sieben`, or choose another port: `--{word} {other}`")),
         ErrorKind::PermissionDenied if port < FREE_PORTS => {
             Failure::usage(Problem::P7102, format!("this user may not listen at port {port}, which is below {FREE_PORTS}")).help(format!(
-                "allow it with `sudo setcap cap_net_bind_service=+ep {}`, or in a unit of systemd with `AmbientCapabilities=CAP_NET_BIND_SERVICE`; without, choose another port: `--s7 {other}`",
+                "allow it with `sudo setcap cap_net_bind_service=+ep {}`, or in a unit of systemd with `AmbientCapabilities=CAP_NET_BIND_SERVICE`; without, choose another port: `--{word} {other}`",
                 std::env::current_exe().map_or_else(|_| "sieben".to_owned(), |path| crate::paths::shown(&path))
             ))
         }

@@ -727,6 +727,28 @@ problems! {
         "ein Format, das es nicht gibt" "Nach dem Doppelpunkt eines der Formate einer Variablentabelle schreiben, etwa `MW10:INT`, oder es weglassen; `sieben explain formats` zeigt alle.";
     P7126 Error "a format that does not fit the value" "Choose a format for as many bits as the value has, or leave it out; `sieben explain formats` says what each one shows."
         "ein Format, das nicht zum Wert passt" "Ein Format für so viele Bits wählen, wie der Wert hat, oder es weglassen; `sieben explain formats` sagt, was jedes zeigt.";
+    P7130 Error "a page that asks for too much" "Ask for less at a time; `docs/reference/page-server.md` has the limits."
+        "eine Seite, die zu viel verlangt" "Weniger auf einmal verlangen; `docs/reference/page-server.md` nennt die Grenzen.";
+    P7131 Error "a message that the page server does not understand" "Reload the page; a program of your own finds the messages in `docs/reference/page-server.md` and the paths in `/api/v1/openapi.json`."
+        "eine Nachricht, die der Server der Seite nicht versteht" "Die Seite neu laden; für ein eigenes Programm stehen die Nachrichten in `docs/reference/page-server.md` und die Pfade in `/api/v1/openapi.json`.";
+    P7132 Error "a page without its token" "Open the address with `?token=` that was printed when the run began, or send `Authorization: Bearer` with the token."
+        "eine Seite ohne ihr Token" "Die Adresse mit `?token=` öffnen, die zu Beginn des Laufs ausgegeben wurde, oder `Authorization: Bearer` mit dem Token senden.";
+    P7133 Error "a page that may only look" "Use the first of the two tokens that were printed when the run began."
+        "eine Seite, die nur ansehen darf" "Das erste der beiden Token verwenden, die zu Beginn des Laufs ausgegeben wurden.";
+    P7134 Error "a request of another page" "Open the page of the run itself; no other page is let in."
+        "eine Anfrage einer anderen Seite" "Die Seite des Laufs selbst öffnen; eine andere wird nicht eingelassen.";
+    P7135 Error "a request for another server" "Use the address that was printed when the run began."
+        "eine Anfrage an einen anderen Server" "Die Adresse verwenden, die zu Beginn des Laufs ausgegeben wurde.";
+    P7136 Error "requests that come too often" "Wait a second, and ask less often."
+        "Anfragen, die zu oft kommen" "Eine Sekunde warten und seltener fragen.";
+    P7137 Error "an address that the page server does not have" "`/api/v1/openapi.json` describes the interface; the page is at `/`, the book at `/docs/`."
+        "eine Adresse, die der Server der Seite nicht hat" "`/api/v1/openapi.json` beschreibt die Schnittstelle; die Seite ist unter `/`, das Buch unter `/docs/`.";
+    P7138 Error "a method that an address does not take" "`/api/v1/openapi.json` says which methods each address takes."
+        "eine Methode, die eine Adresse nicht annimmt" "`/api/v1/openapi.json` sagt, welche Methoden jede Adresse annimmt.";
+    P7139 Error "a scan that is not kept" "Choose one between `oldest` and `newest`."
+        "ein Zyklus, der nicht aufgezeichnet ist" "Einen zwischen `oldest` und `newest` wählen.";
+    P7140 Error "a token that cannot be kept" "Look whether this user may write in the folder of the project, and whether the file is this user's and has the mode 0600."
+        "ein Token, das nicht gespeichert werden kann" "Prüfen, ob dieser Benutzer im Projektordner schreiben darf und ob die Datei ihm gehört und die Rechte 0600 hat.";
 
     // 8xxx run time
     P8001 Error "the CPU went to STOP" "Read the diagnostic buffer: it names the block and the statement."

@@ -6,10 +6,10 @@
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
-use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::time::Duration;
 
-use sieben_cpu::{EndState, NotReplayed, RecordedScan, Replayer, Step};
+use sieben_cpu::{Cpu, EndState, NotReplayed, OperatingMode, RecordedScan, Replayer, Step};
 use sieben_engine::machine::Registers;
 use sieben_engine::{Machine, StatementEvent, Tracer};
 use sieben_model::block::BlockId;
@@ -63,6 +63,16 @@ pub struct Sample {
 /// What came of a look at the status.
 pub type Looked = Result<Arc<Sample>, NotReplayed>;
 
+/// Sees each scan that is replayed, in the thread that replays.
+pub trait Onlooker: Send + Sync {
+    /// A statement of a block that is looked at was executed; the machine is as it left it.
+    fn statement(&self, machine: &Machine, event: &StatementEvent) {
+        let _ = (machine, event);
+    }
+    /// The scan has ended, and so the CPU stands: a copy that only this sees.
+    fn ended(&self, cpu: &Cpu, sample: &Arc<Sample>);
+}
+
 /// A recording with its place in the run.
 struct Recorded {
     scan: RecordedScan,
@@ -111,6 +121,8 @@ pub struct Desk {
     newest: Mutex<Newest>,
     sampled: Condvar,
     past: Past,
+    /// Sees each scan that is replayed, if anything does.
+    onlooker: OnceLock<Arc<dyn Onlooker>>,
 }
 
 /// Blocks are looked at as long as this is there.
@@ -198,12 +210,20 @@ impl Desk {
         }
         self.last_us.store(real_us.max(1), Ordering::Relaxed);
         let like = lock(&self.like).clone();
+        // A CPU in STOP only lets its plants live on.
+        let number = plant.scans + u64::from(plant.cpu.mode() != OperatingMode::Stop);
         let (_, scan) = plant.cpu.scan_recorded(clock, like.as_deref());
         *lock(&self.like) = Some(Arc::clone(scan.after()));
         let time_us = plant.cpu.time_us();
-        *lock(&self.recorded) = Some(Recorded { scan, number: plant.scans + 1, time_us, real_us });
+        *lock(&self.recorded) = Some(Recorded { scan, number, time_us, real_us });
         self.recordings.fetch_add(1, Ordering::Relaxed);
         self.came.notify_all();
+    }
+
+    /// From now on this sees each scan that is replayed; what was said first holds.
+    pub fn set_onlooker(&self, onlooker: Arc<dyn Onlooker>) {
+        // The second call has nothing to add.
+        let _ = self.onlooker.set(onlooker);
     }
 
     /// How many scans were recorded: these took longer than others.
@@ -229,10 +249,13 @@ impl Desk {
                 .wait_timeout_while(recorded, Duration::from_millis(200), |recorded| recorded.is_none())
                 .unwrap_or_else(PoisonError::into_inner);
             let Some(recorded) = ({ recorded }).take() else { continue };
-            let looked = self.sample(&recorded, &mut replayer);
+            let looked = self.sample(&recorded, &mut replayer).map(Arc::new);
+            if let (Ok(sample), Some(onlooker), Some(cpu)) = (&looked, self.onlooker.get(), replayer.cpu()) {
+                onlooker.ended(cpu, sample);
+            }
             let mut newest = lock(&self.newest);
             newest.number += 1;
-            newest.looked = Some(looked.map(Arc::new));
+            newest.looked = Some(looked);
             drop(newest);
             self.sampled.notify_all();
         }
@@ -247,7 +270,8 @@ impl Desk {
                 blocks.push(block);
             }
         }
-        let mut collector = Collector { blocks, written, statements: BTreeMap::new() };
+        let onlooker = self.onlooker.get().map(AsRef::as_ref);
+        let mut collector = Collector { blocks, written, statements: BTreeMap::new(), onlooker };
         let same = recorded.scan.replay(replayer, &mut collector)?;
         let Collector { blocks, statements, .. } = collector;
         Ok(Sample { scan: recorded.number, time_us: recorded.time_us, same, blocks, statements })
@@ -268,17 +292,21 @@ impl Desk {
 }
 
 /// Keeps what the statements of some blocks found and left.
-struct Collector {
+struct Collector<'o> {
     blocks: Vec<BlockId>,
     written: BTreeMap<BlockId, Written>,
     statements: BTreeMap<(BlockId, u32), StatementStatus>,
+    onlooker: Option<&'o dyn Onlooker>,
 }
 
-impl Tracer for Collector {
+impl Tracer for Collector<'_> {
     fn statement(&mut self, machine: &Machine, event: &StatementEvent) {
         let place = (event.place.block, event.place.statement);
         if !self.blocks.contains(&place.0) {
             return;
+        }
+        if let Some(onlooker) = self.onlooker {
+            onlooker.statement(machine, event);
         }
         let name = self.written.get(&place.0).and_then(|written| written.get(&place.1));
         let value = name.and_then(|name| name.shown_in(machine, &event.after)).map(|shown| shown.readable());

@@ -61,6 +61,7 @@ pub const TARGETS: &[Target] = &[
     Target { name: "sim-recording", fuzz: recording, corpus: "recording", fences: &[], words: no_words },
     Target { name: "workspace-settings", fuzz: settings, corpus: "settings", fences: &[], words: settings_words },
     Target { name: "workspace-control", fuzz: sieben_workspace::control::fuzz, corpus: "control", fences: &[], words: control_words },
+    Target { name: "page-messages", fuzz: sieben_workbench::live::fuzz::fuzz, corpus: "page", fences: &[], words: page_words },
     Target { name: "model-literal", fuzz: literal, corpus: "literal", fences: &[], words: literal_words },
 ];
 
@@ -233,6 +234,13 @@ fn control_words() -> Vec<&'static str> {
     let words = "{\"id\":1, \"verb\":\" \"state\" \"read\" \"write\" \"force\" \"unforce\" \"unforce_all\" \"diagnostics\" \"blocks\" \"status\" \"mode\" \
         \"time\" \"faults\" \"items\":[ \"values\":{ \"after\": \"from\": \"block\": \"restart\": \"scans\": \"speed\": \"inject\": \"mend\": MW10 I0.0 DB1.DBW0 T1 \
         C1 ACCU1 STW P#M0.0 BYTE #x FC1.#x W#16#FF S5T#2S 1.5 true null } ] , : -1 1e999 \\ud800 \\u0000";
+    words.split_whitespace().chain(["\n"]).collect()
+}
+
+/// Words of messages of pages.
+fn page_words() -> Vec<&'static str> {
+    let words = "{\"t\":\"hello\" \"v\":1 \"lang\":\"de\" \"t\":\"sub\" \"t\":\"unsub\" \"t\":\"at\" \"t\":\"ack\" \"t\":\"rate\" \"t\":\"who\" \"t\":\"history\" \"id\":\"x\" \"what\":\"rows\" \
+        \"what\":\"tags\" \"what\":\"leds\" \"block\":\"OB1\" \"names\":[ \"from\":0 \"to\":399 \"reason\":3 \"scan\":\"live\" \"seq\":1 \"hz\":0 \"channels\":[ \"points\":5 } ] , : -1 1e999 \\ud800 null";
     words.split_whitespace().chain(["\n"]).collect()
 }
 

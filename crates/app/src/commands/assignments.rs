@@ -40,7 +40,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     };
     let list = AssignmentList::new(&CrossReference::new(&build.compiled));
     let places = Places::new(&build);
-    arguments.report.put(&document(&places, &list), || json(&places, &list))?;
+    arguments.report.put(&document(&places, &list), || crate::page::assignments::json(&places, &list))?;
     Ok(Exit::Success)
 }
 
@@ -129,38 +129,4 @@ fn notes(places: &Places<'_>, indirect: &[Reference]) -> Vec<String> {
         )
     };
     indirect.iter().map(line).collect()
-}
-
-fn json(places: &Places<'_>, list: &AssignmentList) -> serde_json::Value {
-    let references = |references: &[Reference]| -> serde_json::Value {
-        references
-            .iter()
-            .map(|reference| {
-                let mut value = places.reference_json(reference);
-                value["address"] = reference.target.spell(places.mnemonics).into();
-                value
-            })
-            .collect()
-    };
-    let areas: serde_json::Value = list
-        .areas
-        .iter()
-        .map(|(area, used)| {
-            let bytes: serde_json::Value = used
-                .bytes
-                .iter()
-                .map(|(number, byte)| {
-                    let of = |wanted: BitUse| (0..8).filter(|&bit| byte.bits[bit] == wanted).collect::<Vec<_>>();
-                    serde_json::json!({ "byte": number, "bits": of(BitUse::Direct), "bits_of_wider_accesses": of(BitUse::Wider),
-                        "accessed_as_byte": byte.byte != PartOf::None, "accessed_as_word": byte.word != PartOf::None,
-                        "accessed_as_double_word": byte.double_word != PartOf::None, "named_by_pointer": byte.pointer })
-                })
-                .collect();
-            serde_json::json!({ "area": area.prefix(places.mnemonics), "bytes": bytes, "indirect": references(&used.indirect) })
-        })
-        .collect();
-    serde_json::json!({ "areas": areas,
-        "timers": list.timers, "timers_indirect": references(&list.timers_indirect),
-        "counters": list.counters, "counters_indirect": references(&list.counters_indirect),
-        "area_known_at_run_time": references(&list.crossing) })
 }

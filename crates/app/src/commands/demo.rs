@@ -13,9 +13,10 @@ use crate::control::Server;
 use crate::duration::duration_argument;
 use crate::engines::EngineArgument;
 use crate::failure::{Exit, Failure};
+use crate::page::Answers;
 use crate::palette::Palette;
 use crate::screen::{self, Around, CYCLE_US, Demo, Direct, Outcome, Screen, clock, thousands};
-use crate::servers::{Prepared, ServerArguments, Servers};
+use crate::servers::{Prepared, PreparedPage, ServerArguments, Servers, Usually};
 use crate::{output, terminal};
 
 /// The speeds of the picture.
@@ -58,6 +59,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         speed => speed,
     };
     let prepared = Prepared::of_demo(&arguments.servers)?;
+    // Without a screen there is no user who could look at a page that was not asked for.
+    let usually = if has_screen { Usually::With } else { Usually::Without };
+    let prepared_page = arguments.servers.prepare_page(None, None, usually)?;
     let demo = Arc::new(Demo::new(speed, arguments.time));
     let interrupted = Arc::clone(&demo);
     terminal::on_interrupt(move || interrupted.end());
@@ -70,6 +74,14 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
             // The run has just begun, and nothing else closes the gate.
             true => drop(demo.note(servers.text().trim_end())),
             false => output::message(&servers.text()),
+        }
+    }
+    let start_page = |page: PreparedPage| page.start((&demo.gate, &demo.desk, &demo.facts), servers.as_ref(), Box::new(Answers::default()));
+    let page = prepared_page.map(start_page).transpose()?;
+    if let Some(page) = &page {
+        match has_screen {
+            true => drop(demo.note(page.text().trim_end())),
+            false => output::message(&page.text()),
         }
     }
     let metrics = arguments.servers.start_metrics(&demo.gate, servers.as_ref())?;
@@ -86,6 +98,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         print_changes(&demo)?;
     }
     drop(metrics);
+    drop(page);
     if let Some(lost) = servers.as_mut().and_then(Servers::end) {
         output::message(&lost);
     }

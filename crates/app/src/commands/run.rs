@@ -28,10 +28,11 @@ use crate::control::Server;
 use crate::duration::{cycle_argument, duration_argument};
 use crate::engines::EngineArgument;
 use crate::failure::{Exit, Failure};
+use crate::page::Answers;
 use crate::palette::Palette;
 use crate::retain::{RetainArguments, Retention, RunTime};
 use crate::screen::{self, Direct, Screen};
-use crate::servers::{Always, Prepared, ServerArguments, Servers};
+use crate::servers::{Always, Prepared, PreparedPage, ServerArguments, Servers, Usually};
 use crate::watch::{Losses, Watch};
 use crate::{output, terminal, watch};
 
@@ -139,6 +140,9 @@ pub(crate) fn run_as(verb: Verb, mut arguments: RunArguments) -> Result<Exit, Fa
         Some(config) => Some(Prepared::new(&arguments.servers, config, &build.project)?),
         None => None,
     };
+    let of_page = build.project.settings.servers.page.as_ref();
+    let usually = if always == Always::Yes && of_page.is_some() { Usually::With } else { Usually::Without };
+    let prepared_page = arguments.servers.prepare_page(of_page, build.project.home.as_deref(), usually)?;
     let project = &build.project.settings;
     let cycle = arguments.cycle.or(project.cycle).unwrap_or(Duration::from_millis(10)).max(project.min_cycle.unwrap_or_default());
     if arguments.speed == Speed::Max && cycle.is_zero() {
@@ -166,7 +170,7 @@ pub(crate) fn run_as(verb: Verb, mut arguments: RunArguments) -> Result<Exit, Fa
     let ending = Ending { request: cpu.stop_request(), presses: Arc::default() };
     let mut plant = Plant::new(cpu, pace);
     // With an end of its own a run is an experiment, whose STOP is its result.
-    let stays = prepared.is_some() && arguments.duration.is_none();
+    let stays = (prepared.is_some() || prepared_page.is_some()) && arguments.duration.is_none();
     if stays {
         plant.stay_in_stop();
     }
@@ -204,13 +208,28 @@ pub(crate) fn run_as(verb: Verb, mut arguments: RunArguments) -> Result<Exit, Fa
         output::message(&why.to_string());
     }
     let mut servers = prepared.map(|prepared| prepared.start(build.cpu, &gate, arguments.engine)).transpose()?;
+    let start_page = |page: PreparedPage| page.start((&gate, &desk, &facts), servers.as_ref(), Box::new(Answers::default()));
+    let page = prepared_page.map(start_page).transpose()?;
     if let Some(servers) = &servers {
         servers.introduce(&facts, &gate);
         match arguments.json {
             false => output::message(&servers.text()),
             // A program that waits for the server reads this line.
-            true if verb == Verb::Serve => output::print_json(&json!({ "listening": servers.json() }), false)?,
+            true if verb == Verb::Serve => {
+                let mut listening = servers.json();
+                if let Some(page) = &page {
+                    listening["page"] = page.address().to_string().into();
+                }
+                output::print_json(&json!({ "listening": listening }), false)?;
+            }
             true => {}
+        }
+    }
+    if let Some(page) = page.as_ref().filter(|_| !arguments.json) {
+        match shown {
+            // The run has just begun, and nothing else closes the gate.
+            Shown::Screen => drop(gate.enter(|plant| desk.observed.note(plant, page.text().trim_end()))),
+            _ => output::message(&page.text()),
         }
     }
     let metrics = arguments.servers.start_metrics(&gate, servers.as_ref())?;
@@ -259,6 +278,7 @@ pub(crate) fn run_as(verb: Verb, mut arguments: RunArguments) -> Result<Exit, Fa
     let Around { mut retention, watch, failed, .. } = around;
     drawn.map_err(|error| terminal::broken(&error))?;
     drop(metrics);
+    drop(page);
     if let Some(lost) = servers.as_mut().and_then(Servers::end) {
         output::message(&lost);
     }

@@ -5,7 +5,6 @@ use std::path::PathBuf;
 use clap::Args;
 use sieben_ide::call_structure::{CallStructure, Callee, Line, Mark};
 use sieben_ide::target::Target;
-use sieben_model::block::BlockId;
 use sieben_workspace::places::Places;
 use sieben_workspace::project::Build;
 
@@ -42,7 +41,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     };
     let structure = CallStructure::new(&build.compiled);
     let places = Places::new(&build);
-    arguments.report.put(&document(&build, &places, &structure), || json(&build, &places, &structure))?;
+    arguments.report.put(&document(&build, &places, &structure), || crate::page::structure::json(&build, &places, &structure))?;
     Ok(Exit::Success)
 }
 
@@ -115,7 +114,7 @@ fn row(build: &Build, places: &Places<'_>, line: &Line<'_>, mark: &str) -> Vec<S
     };
     let (own_bytes, path_bytes) = (number(line.own), number(line.local_data));
     vec![
-        format!("{}{own}{level}{}", " ".repeat(indent), callee_name(places, &line.callee)),
+        format!("{}{own}{level}{}", " ".repeat(indent), crate::page::structure::callee_name(places, &line.callee)),
         symbol,
         call,
         instance,
@@ -125,13 +124,6 @@ fn row(build: &Build, places: &Places<'_>, line: &Line<'_>, mark: &str) -> Vec<S
         place,
         remark,
     ]
-}
-
-fn callee_name(places: &Places<'_>, callee: &Callee) -> String {
-    match callee {
-        Callee::Block(block) => block.to_string(),
-        Callee::Unknown(target) => target.spell(places.mnemonics),
-    }
 }
 
 fn instance_name(places: &Places<'_>, target: &Target) -> String {
@@ -150,37 +142,4 @@ fn remark(mark: Mark) -> &'static str {
         Mark::System => "function of the CPU",
         Mark::Unknown => "known only at run time",
     }
-}
-
-fn json(build: &Build, places: &Places<'_>, structure: &CallStructure) -> serde_json::Value {
-    let names = |blocks: &[BlockId]| blocks.iter().map(BlockId::to_string).collect::<Vec<_>>();
-    let blocks: serde_json::Map<String, serde_json::Value> = structure
-        .blocks
-        .iter()
-        .map(|(id, caller)| {
-            let calls: serde_json::Value = caller
-                .calls
-                .iter()
-                .map(|site| {
-                    let calls: serde_json::Value = site
-                        .places
-                        .iter()
-                        .map(|&(network, statement, span)| {
-                            serde_json::json!({ "network": network, "statement": statement,
-                                "file": places.file(span), "line": places.line(span) })
-                        })
-                        .collect();
-                    let instance = site.instance.as_ref().map(|target| target.spell(places.mnemonics));
-                    serde_json::json!({ "block": callee_name(places, &site.callee), "known": matches!(site.callee, Callee::Block(_)),
-                        "call": site.kind.word(), "instance": instance, "places": calls })
-                })
-                .collect();
-            let value = serde_json::json!({ "symbol": places.block_symbol(*id), "local_data": caller.local_data,
-                "path_local_data": caller.path_local_data, "path_depth": caller.path_depth,
-                "recursive": caller.recursive, "library": build.compiled.is_of_library(*id), "calls": calls });
-            (id.to_string(), value)
-        })
-        .collect();
-    serde_json::json!({ "cpu": build.cpu.name, "organization_blocks": names(&structure.roots),
-        "not_called": names(&structure.not_called), "blocks": blocks })
 }

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use sieben_cpu::Cpu;
 use sieben_engine::machine::Registers;
-use sieben_engine::{FaultPlace, StatementEvent};
+use sieben_engine::{FaultPlace, Program, StatementEvent};
 use sieben_ide::drawing::flow::{Executed, Status};
 use sieben_model::block::BlockId;
 use sieben_model::symbols::SymbolTable;
@@ -57,6 +57,16 @@ impl Watch {
 
     /// What they did; addresses have the values that the CPU has now.
     pub(crate) fn status(&self, network: &Written, cpu: &Cpu, symbols: &SymbolTable) -> Status {
+        self.status_with(network, (cpu.program(), symbols), &|operand| value_now(operand, cpu, symbols))
+    }
+
+    /// What they did; `value_now` has the values of addresses.
+    pub(crate) fn status_with(
+        &self,
+        network: &Written,
+        (program, symbols): (&Program, &SymbolTable),
+        value_now: &dyn Fn(&str) -> Option<String>,
+    ) -> Status {
         let statements = network.statements.iter().zip(&self.after).map(|(statement, after)| {
             let Some(after) = after else { return Executed::default() };
             let found = match statement.mnemonic {
@@ -73,14 +83,14 @@ impl Watch {
                 let seen = match statement.mnemonic {
                     "A" | "AN" | "O" | "ON" | "X" | "XN" => Some(u8::from(after.sta != 0).to_string()),
                     "=" => Some(u8::from(after.rlo != 0).to_string()),
-                    "L" | "T" if is_local => Some(self.local(&statement.operand, after.accu1, cpu, symbols)),
+                    "L" | "T" if is_local => Some(self.local(&statement.operand, after.accu1, program, symbols)),
                     _ => None,
                 };
-                let value = value_now(&statement.operand, cpu, symbols).or(seen);
+                let value = value_now(&statement.operand).or(seen);
                 values.extend(value.map(|value| (statement.operand.text.clone(), value)));
             }
             for parameter in &statement.parameters {
-                let value = value_now(&parameter.actual, cpu, symbols);
+                let value = value_now(&parameter.actual);
                 values.extend(value.map(|value| (parameter.actual.text.clone(), value)));
             }
             let logic = matches!(statement.mnemonic, "A" | "AN" | "O" | "ON" | "X" | "XN").then_some(after.rlo != 0);
@@ -90,9 +100,9 @@ impl Watch {
     }
 
     /// What ACCU 1 has of a variable of the block, in the notation of its type.
-    fn local(&self, operand: &str, accu1: u64, cpu: &Cpu, symbols: &SymbolTable) -> String {
+    fn local(&self, operand: &str, accu1: u64, program: &Program, symbols: &SymbolTable) -> String {
         let scope = Scope { block: self.block, bare: false };
-        let name = Name::parse_in(operand, Some(scope), symbols, cpu.program()).ok().map(Name::readable);
+        let name = Name::parse_in(operand, Some(scope), symbols, program).ok().map(Name::readable);
         // A parameter that names a timer or a counter holds its number, not what was loaded.
         let is_number = |kind: &Kind| matches!(kind, Kind::Number) || matches!(kind, Kind::Typed(data_type) if data_type.is_number());
         match name.filter(|name| matches!(name.kind().width(), 8 | 16 | 32) && !is_number(name.kind())) {

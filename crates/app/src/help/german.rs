@@ -155,6 +155,12 @@ pub(super) const SENTENCES: &[Row] = &[
         "S7-Clients bedienen, unter dieser Adresse [Standard: die des Projekts, sonst 127.0.0.1:1102]",
     ),
     (
+        "Serve the page, at this address [default: that of the project, else 127.0.0.1:7300 or the next free port]",
+        "Die Seite bereitstellen, unter dieser Adresse [Standard: die des Projekts, sonst 127.0.0.1:7300 oder der nächste freie Port]",
+    ),
+    ("Serve no page", "Keine Seite bereitstellen"),
+    ("Open the page in the browser", "Die Seite im Browser öffnen"),
+    (
         "Let others than this computer reach a server, at exactly this address: `s7=0.0.0.0:102`",
         "Auch andere Rechner einen Server erreichen lassen, unter genau dieser Adresse: `s7=0.0.0.0:102`",
     ),

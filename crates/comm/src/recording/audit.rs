@@ -18,8 +18,6 @@ const MERGED_US: u64 = 1_000_000;
 const MERGED_MAX: usize = 1_024;
 /// Bytes of a written value that are noted.
 const VALUE_BYTES_MAX: usize = 512;
-/// The peer of what comes over the control socket.
-const CONTROL: &str = "control socket";
 
 /// Notes what is done from outside.
 pub struct Audit {
@@ -160,15 +158,15 @@ impl Audit {
     }
 }
 
-/// Notes what is done at the control socket, as long as the audit log is open.
+/// Notes what is done at the control socket and at pages, as long as the audit log is open.
 #[derive(Clone)]
 pub struct ControlLog(Way);
 
 impl ControlLog {
-    /// Notes changes. The time is in microseconds since 1970.
-    pub fn note(&self, changes: &[control::changes::Change], wall_us: u64) {
+    /// Notes the changes that a peer made. The time is in microseconds since 1970.
+    pub fn note(&self, peer: &str, changes: &[control::changes::Change], wall_us: u64) {
         for change in changes {
-            let mut record = head(CONTROL, wall_us);
+            let mut record = head(peer, wall_us);
             let mut put = |key: &str, value: Value| drop(record.insert(key.to_owned(), value));
             if let Some(scan) = change.scan {
                 put("scan", scan.into());
@@ -331,7 +329,11 @@ mod tests {
         };
         let lines = noted(Writes::Merged, |audit| {
             let log = audit.of_control();
-            log.note(&[change("write", Some("MW10"), Some("5"), Some(12), None), change("stop", None, None, None, Some("P7094"))], 0);
+            log.note(
+                "control socket",
+                &[change("write", Some("MW10"), Some("5"), Some(12), None), change("stop", None, None, None, Some("P7094"))],
+                0,
+            );
         });
         let expected = [
             r#"{"time":"1990-01-01T00:00:00.000Z","peer":"control socket","scan":12,"what":"write","object":"MW10","value":"5","result":"ok"}"#,

@@ -234,6 +234,13 @@ impl Replayer {
     }
 }
 
+impl Replayer {
+    /// The CPU as the last replay left it.
+    pub fn cpu(&self) -> Option<&Cpu> {
+        self.cpu.as_ref()
+    }
+}
+
 impl RecordedScan {
     /// What the scan did.
     pub fn report(&self) -> ScanReport {

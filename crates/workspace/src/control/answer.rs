@@ -245,7 +245,7 @@ fn event(event: u16) -> String {
 
 impl Answer {
     /// Its fields as JSON.
-    fn fields(&self) -> Map<String, Json> {
+    pub fn fields(&self) -> Map<String, Json> {
         let json = match self {
             Self::State(state) => state.json(),
             Self::Values(values) => json!({ "scan": values.scan, "items": values.items.iter().map(value_json).collect::<Json>() }),

@@ -19,8 +19,8 @@ pub struct Change {
     pub refused: Option<&'static str>,
 }
 
-/// Hears of changes.
-pub type Listener = Box<dyn Fn(&[Change]) + Send + Sync>;
+/// Hears of changes, and of the peer that made them.
+pub type Listener = Box<dyn Fn(&str, &[Change]) + Send + Sync>;
 
 /// What a request changed, by its answer; nothing for one that only looks.
 pub(super) fn of(request: &Request, answer: &Result<Answer, Refusal>) -> Vec<Change> {

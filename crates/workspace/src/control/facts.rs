@@ -32,6 +32,8 @@ pub struct Facts {
     pub sources: Sources,
     /// The program, with the spans of its statements.
     pub program: Arc<Program>,
+    /// All that the compiler knows of it, where that was kept.
+    pub build: Option<Arc<Build>>,
     /// Blocks that are listed as their source, with what their variables are called by: those of ST.
     pub text_blocks: BTreeMap<BlockId, Scope>,
     /// Statements of STL that elements of diagrams stand for.
@@ -143,6 +145,7 @@ impl Facts {
             block_names: named.collect(),
             sources: build.project.texts.program.clone(),
             program: Arc::clone(program),
+            build: Some(Arc::new(build.clone())),
             ..Self::default()
         }
     }
@@ -238,8 +241,8 @@ pub struct CurrentFacts {
     connections: AtomicUsize,
     /// Who is connected to servers, if there are any.
     clients: OnceLock<Clients>,
-    /// Hears what requests change, if anything does.
-    listener: OnceLock<Listener>,
+    /// Hear what requests change.
+    listeners: Mutex<Vec<Listener>>,
 }
 
 /// A client is connected as long as this is there.
@@ -286,18 +289,20 @@ impl CurrentFacts {
         let _ = self.clients.set(clients);
     }
 
-    /// From now on this hears what requests change; what was said first holds.
-    pub fn set_listener(&self, listener: Listener) {
-        // The second call has nothing to add.
-        let _ = self.listener.set(listener);
+    /// From now on this hears what requests change.
+    pub fn add_listener(&self, listener: Listener) {
+        self.listeners.lock().unwrap_or_else(PoisonError::into_inner).push(listener);
     }
 
-    /// Tells what a request has changed.
-    pub(super) fn tell_changes(&self, changes: impl FnOnce() -> Vec<Change>) {
-        let Some(listener) = self.listener.get() else { return };
+    /// Tells what a request of a peer has changed.
+    pub(super) fn tell_changes(&self, peer: &str, changes: impl FnOnce() -> Vec<Change>) {
+        let listeners = self.listeners.lock().unwrap_or_else(PoisonError::into_inner);
+        if listeners.is_empty() {
+            return;
+        }
         let changes = changes();
         if !changes.is_empty() {
-            listener(&changes);
+            listeners.iter().for_each(|listener| listener(peer, &changes));
         }
     }
 

@@ -53,8 +53,13 @@ const WAIT_MAX: Duration = Duration::from_secs(2);
 /// How long it waits before it looks again.
 const LOOK: Duration = Duration::from_millis(100);
 
+/// The peer of what comes over the control socket.
+const SOCKET: &str = "control socket";
+
 /// One client of a run: it remembers what names mean.
 pub struct Control {
+    /// What it is called in the log of changes.
+    peer: String,
     current: Arc<CurrentFacts>,
     facts: Arc<Facts>,
     version: u64,
@@ -106,8 +111,13 @@ fn changing() -> Refusal {
 impl Control {
     /// A client of a run whose program is known by these facts.
     pub fn new(current: Arc<CurrentFacts>) -> Self {
+        Self::of_peer(current, SOCKET.to_owned())
+    }
+
+    /// The same for a client that comes from elsewhere.
+    pub fn of_peer(current: Arc<CurrentFacts>, peer: String) -> Self {
         let (version, facts) = (current.version(), current.facts());
-        Self { current, facts, version, names: HashMap::new(), written: HashMap::new(), pressed: HashMap::new() }
+        Self { peer, current, facts, version, names: HashMap::new(), written: HashMap::new(), pressed: HashMap::new() }
     }
 
     /// Answers one line of JSON with another.
@@ -124,7 +134,7 @@ impl Control {
     pub fn answer(&mut self, gate: &Gate, desk: &Desk, request: &Request) -> Result<Answer, Refusal> {
         self.refresh();
         let answer = self.answer_now(gate, desk, request);
-        self.current.tell_changes(|| changes::of(request, &answer));
+        self.current.tell_changes(&self.peer, || changes::of(request, &answer));
         answer
     }
 

@@ -40,6 +40,7 @@ pub struct Overrides {
 }
 
 /// A project with what the compiler made of it.
+#[derive(Clone, Debug)]
 pub struct Build {
     /// Where it came from.
     pub project: Project,

@@ -43,7 +43,7 @@ impl SourceFile {
 /// Everything read and decoded, nothing compiled.
 ///
 /// Each text comes in by its path, which is what people call it, and its bytes: they were read from a disk, or made up.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct Project {
     /// All texts.
     pub texts: Texts,

@@ -20,6 +20,17 @@ const AUDIT_FILE: &str = "audit.jsonl";
 pub struct Servers {
     /// `[servers.s7]`, if it is there.
     pub s7: Option<S7>,
+    /// `[servers.page]`, if it is there.
+    pub page: Option<Page>,
+}
+
+/// What `[servers.page]` says; all of it optional.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Page {
+    /// `listen`, with its place.
+    pub listen: Option<(SocketAddr, Span)>,
+    /// `tokens`: the file, inside the project folder, that the tokens are kept in.
+    pub tokens: Option<String>,
 }
 
 /// What `[servers.s7]` says; all of it optional.
@@ -178,8 +189,9 @@ impl Reader {
                 continue;
             }
             match value.get_ref() {
+                DeValue::Table(inner) if key.get_ref() == "page" => self.page(inner),
                 DeValue::Table(inner) => self.s7(inner),
-                _ => self.wrong(value, "write `[servers.s7]` on a line of its own, and its keys below"),
+                _ => self.wrong(value, &format!("write `[servers.{}]` on a line of its own, and its keys below", key.get_ref())),
             }
         }
     }
@@ -191,7 +203,7 @@ impl Reader {
                 continue;
             }
             match key.get_ref().as_ref() {
-                "listen" => s7.listen = self.listen(value),
+                "listen" => s7.listen = self.listen(value, "127.0.0.1:1102"),
                 "protection" => s7.protection = self.protection(value),
                 "password" => s7.password = self.password(value),
                 "read_only" => s7.read_only = self.truth(value, "read_only"),
@@ -204,6 +216,20 @@ impl Reader {
             }
         }
         self.settings.servers.s7 = Some(s7);
+    }
+
+    fn page(&mut self, content: &DeTable<'_>) {
+        let mut page = Page::default();
+        for (key, value) in content {
+            if !self.known("servers.page", key) {
+                continue;
+            }
+            match key.get_ref().as_ref() {
+                "listen" => page.listen = self.listen(value, "127.0.0.1:7300"),
+                _ => page.tokens = self.file(value, "tokens", "page-tokens"),
+            }
+        }
+        self.settings.servers.page = Some(page);
     }
 
     fn truth(&mut self, value: &Value<'_>, name: &str) -> Option<bool> {
@@ -223,14 +249,14 @@ impl Reader {
         }
     }
 
-    fn listen(&mut self, value: &Value<'_>) -> Option<(SocketAddr, Span)> {
+    fn listen(&mut self, value: &Value<'_>, example: &str) -> Option<(SocketAddr, Span)> {
         let text = match value.get_ref() {
             DeValue::String(text) => text.as_ref(),
             _ => "",
         };
         let address = address(text);
         if address.is_none() {
-            self.wrong(value, "`listen` is an address with a port: `listen = \"127.0.0.1:1102\"`");
+            self.wrong(value, &format!("`listen` is an address with a port: `listen = \"{example}\"`"));
         }
         address.map(|address| (address, self.span(value.span())))
     }
@@ -451,6 +477,28 @@ mod tests {
             assert_eq!(s7.expect("a server").strict, Some(true), "{key}");
             assert!(matches!(&wrong[..], [one] if one.starts_with(part)), "{key}: {wrong:?}");
         }
+    }
+
+    #[test]
+    fn the_page_has_an_address_and_a_file_of_tokens() {
+        let page = |text: &str| {
+            let (settings, diagnostics) = super::super::parse(text, sieben_model::source::FileId(0));
+            (settings.servers.page, diagnostics.into_iter().map(|one| one.message).collect::<Vec<_>>())
+        };
+        let (read, wrong) = page("[servers.page]\nlisten = \"0.0.0.0:7300\"\ntokens = \"page-tokens\"\n");
+        assert_eq!(wrong, [""; 0]);
+        let read = read.expect("a page");
+        assert_eq!(read.listen.map(|(address, _)| address.to_string()).as_deref(), Some("0.0.0.0:7300"));
+        assert_eq!(read.tokens.as_deref(), Some("page-tokens"));
+        for (text, part) in [
+            ("listen = 1", "`listen` is an address with a port: `listen = \"127.0.0.1:7300\"`"),
+            ("tokens = \"/etc/passwd\"", "`tokens` is a file in the folder of the project"),
+            ("users = []", "there is no key `users`"),
+        ] {
+            let (read, wrong) = page(&format!("[servers.page]\n{text}\n"));
+            assert!(read.is_some() && matches!(&wrong[..], [one] if one.starts_with(part)), "{text}: {wrong:?}");
+        }
+        assert_eq!(page("").0, None);
     }
 
     #[test]

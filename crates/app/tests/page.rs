@@ -1,0 +1,421 @@
+//! The page server of a run: real processes, real sockets.
+#![cfg(unix)]
+
+mod command;
+
+use std::fs;
+use std::io::{BufRead, BufReader, Read, Write};
+use std::net::{SocketAddr, TcpStream};
+use std::os::unix::fs::PermissionsExt;
+use std::process::{Child, Command, Stdio};
+
+use command::{DEADLINE, Folder, sieben, until};
+use serde_json::{Value, json};
+
+const PROJECT: &str = "[project]\nname = \"pump\"\n\n[[module]]\nkind = \"tank\"\ninput = 256\noutput = 256\n";
+const PROGRAM: &str = "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\nTITLE = Counts scans\nL MW 10;\nL 1;\n+I;\nT MW 10;\nNETWORK\nTITLE = Follows\nA M 50.0;\n= M 60.0;\n\
+                       NETWORK\nL MW 20;\nT MW 30;\nEND_ORGANIZATION_BLOCK\n";
+
+fn project() -> Folder {
+    Folder::with(&[("sieben.toml", PROJECT), ("main.awl", PROGRAM)])
+}
+
+/// A run with a page. It is killed when this goes.
+struct Serving {
+    child: Child,
+    page: SocketAddr,
+}
+
+impl Serving {
+    fn new(folder: &Folder, more: &[&str]) -> Self {
+        let arguments: Vec<&str> = ["serve", ".", "--json", "--s7", "127.0.0.1:0"].iter().chain(more).copied().collect();
+        let mut command = sieben(folder.path(), &arguments);
+        let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the binary starts");
+        let mut line = String::new();
+        BufReader::new(child.stdout.as_mut().expect("a pipe")).read_line(&mut line).expect("UTF-8");
+        let listening: Value = serde_json::from_str(&line).unwrap_or_else(|error| panic!("{line}: {error}"));
+        let page: SocketAddr = listening["listening"]["page"].as_str().expect("a page").parse().expect("an address");
+        Self { child, page: SocketAddr::from(([127, 0, 0, 1], page.port())) }
+    }
+
+    fn usual(folder: &Folder) -> Self {
+        Self::new(folder, &["--page", "127.0.0.1:0"])
+    }
+
+    fn connect(&self) -> TcpStream {
+        let stream = TcpStream::connect(self.page).expect("it listens");
+        stream.set_read_timeout(Some(DEADLINE)).expect("a timeout");
+        stream
+    }
+
+    /// Status, head and body of an answer.
+    fn ask(&self, method: &str, path: &str, more: &str, body: &str) -> (u16, String, String) {
+        let mut stream = self.connect();
+        let host = if more.contains("Host:") { String::new() } else { format!("Host: {}\r\n", self.page) };
+        let request = format!("{method} {path} HTTP/1.1\r\n{host}{more}Connection: close\r\nContent-Length: {}\r\n\r\n{body}", body.len());
+        stream.write_all(request.as_bytes()).expect("it reads");
+        let mut answer = String::new();
+        stream.read_to_string(&mut answer).expect("an answer");
+        let (head, body) = answer.split_once("\r\n\r\n").expect("a head");
+        let status = head.split(' ').nth(1).and_then(|status| status.parse().ok()).expect("a status");
+        (status, head.to_owned(), body.to_owned())
+    }
+
+    fn json(&self, method: &str, path: &str, body: &str) -> Value {
+        let (status, _, text) = self.ask(method, path, "", body);
+        assert!(status < 300, "{method} {path}: {status} {text}");
+        serde_json::from_str(&text).unwrap_or_else(|error| panic!("{path}: {error}: {text}"))
+    }
+
+    fn page(&self, query: &str) -> Page {
+        let mut page = Page::new(self.connect(), &format!("/ws{query}"), &self.page.to_string());
+        page.say(&json!({ "t": "hello", "v": 1, "lang": "en", "mnemonics": "en" }));
+        page
+    }
+}
+
+impl Drop for Serving {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+/// A page without a browser.
+struct Page(BufReader<TcpStream>);
+
+impl Page {
+    fn new(mut stream: TcpStream, path: &str, host: &str) -> Self {
+        let head = format!(
+            "GET {path} HTTP/1.1\r\nHost: {host}\r\nUpgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\n\
+             Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n"
+        );
+        stream.write_all(head.as_bytes()).expect("it reads");
+        let mut page = Self(BufReader::new(stream));
+        let mut line = String::new();
+        while line != "\r\n" {
+            line.clear();
+            assert!(page.0.read_line(&mut line).expect("a head") > 0, "the connection ends");
+        }
+        page
+    }
+
+    /// A frame with a mask of zeros.
+    fn frame(&mut self, kind: u8, bytes: &[u8]) {
+        let mut frame = vec![0x80 | kind];
+        match bytes.len() {
+            short @ 0..126 => frame.push(0x80 | short as u8),
+            middle @ 126..=0xFFFF => {
+                frame.push(0x80 | 126);
+                frame.extend((middle as u16).to_be_bytes());
+            }
+            long => {
+                frame.push(0x80 | 127);
+                frame.extend((long as u64).to_be_bytes());
+            }
+        }
+        frame.extend([0; 4]);
+        frame.extend(bytes);
+        // One that was sent away reads no more.
+        let _ = self.0.get_mut().write_all(&frame);
+    }
+
+    fn say(&mut self, message: &Value) {
+        self.frame(1, message.to_string().as_bytes());
+    }
+
+    fn bytes<const N: usize>(&mut self) -> Option<[u8; N]> {
+        let mut bytes = [0; N];
+        self.0.read_exact(&mut bytes).ok().map(|()| bytes)
+    }
+
+    /// The next message, acknowledged; `None` at the end.
+    fn next(&mut self) -> Option<Value> {
+        let [kind, length] = self.bytes()?;
+        let length = match length & 0x7F {
+            126 => usize::from(u16::from_be_bytes(self.bytes()?)),
+            127 => u64::from_be_bytes(self.bytes()?) as usize,
+            length => usize::from(length),
+        };
+        let mut payload = vec![0; length];
+        self.0.read_exact(&mut payload).ok()?;
+        if kind & 0x0F == 8 {
+            return None;
+        }
+        let message: Value = serde_json::from_slice(&payload).expect("JSON");
+        if message["t"] == "scan" {
+            self.say(&json!({ "t": "ack", "seq": message["seq"] }));
+        }
+        Some(message)
+    }
+
+    /// Messages until one is as wanted.
+    fn until(&mut self, what: &str, is_wanted: impl Fn(&Value) -> bool) -> Value {
+        for _ in 0..400 {
+            let message = self.next().unwrap_or_else(|| panic!("{what}: the connection has ended"));
+            if is_wanted(&message) {
+                return message;
+            }
+        }
+        panic!("{what} does not come");
+    }
+
+    fn subscribe(&mut self) {
+        self.say(&json!({ "t": "sub", "id": "rows", "what": "rows", "block": "OB1", "from": 0, "to": 20, "reason": 3 }));
+        self.say(&json!({ "t": "sub", "id": "tags", "what": "tags", "names": ["MW 10,INT", "M 60.0", "MW 10", "nothing"] }));
+    }
+}
+
+/// A value that is shown as a number.
+fn count(value: &Value) -> Option<u64> {
+    value.as_str()?.parse().ok()
+}
+
+fn has_both(message: &Value) -> bool {
+    message["s"]["rows"].is_array() && message["s"]["tags"].is_object()
+}
+
+#[test]
+fn all_values_of_a_message_belong_to_one_scan() {
+    let folder = project();
+    let serving = Serving::usual(&folder);
+    let mut page = serving.page("");
+    let welcome = page.next().expect("a welcome");
+    assert_eq!(
+        (welcome["t"].as_str(), welcome["project"].as_str(), welcome["role"].as_str()),
+        (Some("welcome"), Some("pump"), Some("program"))
+    );
+    page.subscribe();
+    let (mut row, mut tags, mut offset) = (Value::Null, json!({}), None);
+    let mut compared = 0;
+    while compared < 30 {
+        let message = page.until("the next scan", |message| message["t"] == "scan");
+        assert_eq!(message["same"], true, "{message}");
+        match &message["s"]["rows"] {
+            Value::Array(rows) => row = rows[3].clone(),
+            changed => row = changed.get("3").unwrap_or(&row).clone(),
+        }
+        for (name, value) in message["s"]["tags"].as_object().into_iter().flatten() {
+            tags[name] = value.clone();
+        }
+        let (Some(counted), Some(row_count), Some(scan)) = (count(&tags["MW 10,INT"]), row[3].as_u64(), message["n"].as_u64()) else {
+            continue;
+        };
+        assert_eq!((row[0].as_u64(), row[1].as_u64(), row_count), (Some(8), Some(1), counted), "{message}");
+        assert!(row[5].as_str().is_some_and(|reason| reason.ends_with('.')), "{message}");
+        assert_eq!(*offset.get_or_insert(counted.wrapping_sub(scan)), counted.wrapping_sub(scan), "{message}");
+        compared += 1;
+    }
+    assert!(tags["MW 10"].as_str().is_some_and(|text| text.starts_with("16#")), "{tags}");
+    assert_eq!(tags["nothing"], Value::Null);
+}
+
+#[test]
+fn a_diagram_shows_what_its_lines_carry() {
+    let folder = project();
+    let serving = Serving::usual(&folder);
+    let drawn = serving.json("GET", "/api/v1/blocks/OB1?view=lad", "");
+    let picture = drawn["networks"][1]["svg"].as_str().expect("a picture");
+    let mut page = serving.page("");
+    page.say(&json!({ "t": "sub", "id": "f", "what": "flow", "block": "OB1", "view": "lad", "networks": [1, 2] }));
+    let first = page.until("the flow", |message| message["s"]["f"].is_object());
+    assert_eq!(first["s"]["f"]["1"], json!([]), "a network that stays STL");
+    let marks = |message: &Value| message["s"]["f"]["2"].as_array().cloned().unwrap_or_default();
+    for mark in marks(&first) {
+        let id = mark[0].as_str().expect("a name");
+        assert!(picture.contains(&format!("data-net=\"{id}\"")) || picture.contains(&format!("data-element=\"{id}\"")), "{id} is drawn");
+    }
+    assert!(marks(&first).contains(&json!(["contact-11", "0", "0"])), "{first}");
+    serving.json("PATCH", "/api/v1/tags", r#"{"M 50.0":true}"#);
+    let then = page.until("another flow", |message| !marks(message).is_empty());
+    assert!(marks(&then).contains(&json!(["contact-11", "1", "1"])), "{then}");
+}
+
+#[test]
+fn the_past_is_shown_as_it_was_and_who_wrote_it() {
+    let folder = project();
+    let serving = Serving::usual(&folder);
+    let mut page = serving.page("");
+    page.subscribe();
+    let far = page.until("some scans", |message| has_both(message) || message["n"].as_u64() > Some(60));
+    let newest = page.until("more scans", |message| message["n"].as_u64() > Some(80))["n"].as_u64().expect("a scan");
+    assert!(far["oldest"].as_u64() <= Some(1), "{far}");
+    page.say(&json!({ "t": "at", "scan": newest - 50 }));
+    let past = page.until("the past", |message| message["live"] == false);
+    assert_eq!(past["n"].as_u64(), Some(newest - 50));
+    assert_eq!(count(&past["s"]["tags"]["MW 10,INT"]), Some(newest - 50), "{past}");
+    assert_eq!(past["s"]["rows"][3][3].as_u64(), Some(newest - 50), "{past}");
+    page.say(&json!({ "t": "at", "step": "scan", "n": -3 }));
+    let step = page.until("the step", |message| message["n"].as_u64() == Some(newest - 53));
+    assert_eq!(count(&step["s"]["tags"]["MW 10,INT"]), Some(newest - 53));
+    page.say(&json!({ "t": "history", "id": "h", "from": newest - 9, "to": newest, "channels": ["MW 10", "M 60.0"], "points": 100 }));
+    let history = page.until("the history", |message| message["t"] == "history");
+    let expected: Vec<Value> = (newest - 9..=newest).map(|scan| json!([scan, scan as f64])).collect();
+    assert_eq!(history["channels"]["MW 10"], json!(expected), "{history}");
+    assert_eq!(history["channels"]["M 60.0"], json!([[newest - 9, 0.0]]));
+    page.say(&json!({ "t": "who", "id": "w", "name": "MW 10", "scan": newest - 20 }));
+    let who = page.until("who wrote it", |message| message["t"] == "who");
+    assert_eq!((who["block"].as_str(), who["line"].as_u64(), who["scan"].as_u64()), (Some("OB1"), Some(8), Some(newest - 20)), "{who}");
+    page.say(&json!({ "t": "at", "scan": "live" }));
+    let live = page.until("the present", |message| message["live"] == true && has_both(message));
+    assert!(live["n"].as_u64() >= Some(newest), "{live}");
+    let (status, _, table) = serving.ask("GET", "/api/v1/trace?from=2&to=4&channels=MW10,M60.0&format=csv", "", "");
+    assert_eq!(status, 200, "{table}");
+    let rows: Vec<&str> = table.lines().filter_map(|line| line.split_once(',').map(|(_, rest)| rest)).collect();
+    assert_eq!(rows, ["scan,MW10,M60.0", "2,16#0002,0", "3,16#0003,0", "4,16#0004,0"], "{table}");
+}
+
+#[test]
+fn what_is_done_over_http_is_done_and_noted() {
+    let folder = project();
+    let serving = Serving::usual(&folder);
+    assert_eq!(serving.json("PATCH", "/api/v1/tags", r#"{"M 50.0":true,"MW 20":"W#16#1234"}"#)["done"], 2);
+    until("the program follows", || {
+        (serving.json("GET", "/api/v1/tags?names=MW30,M60.0", "")["items"][0]["value"] == "16#1234").then_some(())
+    });
+    assert_eq!(
+        serving.json("POST", "/api/v1/forces", r#"{"name":"I 0.1","value":"1","reason":"the sensor is exchanged"}"#)[0]["reason"],
+        "the sensor is exchanged"
+    );
+    assert_eq!(serving.json("DELETE", "/api/v1/forces/I%200.1", ""), json!([]));
+    assert_eq!(serving.json("POST", "/api/v1/mode", r#"{"mode":"stop"}"#)["mode"], "STOP");
+    assert_eq!(serving.json("GET", "/api/v1/state", "")["mode"], "STOP");
+    assert_eq!(serving.json("POST", "/api/v1/mode", r#"{"mode":"run"}"#)["mode"], "RUN");
+    assert_eq!(serving.json("POST", "/api/v1/time", r#"{"pause":true}"#)["paused"], true);
+    let before = serving.json("GET", "/api/v1/state", "")["scans"].as_u64();
+    assert_eq!(serving.json("POST", "/api/v1/time", r#"{"step":"scan","n":3}"#)["scans"].as_u64(), before.map(|scans| scans + 3));
+    assert_eq!(serving.json("POST", "/api/v1/time", r#"{"go":true}"#)["paused"], false);
+    let fault = serving.json("POST", "/api/v1/faults", r#"{"name":"tank.level","fault":"stuck=0"}"#);
+    assert_eq!(fault["plants"][0]["faults"][0], "tank.level stuck=0", "{fault}");
+    for (path, part) in [
+        ("/api/v1/blocks", "\"block\":\"OB1\""),
+        ("/api/v1/blocks/OB1?view=lad", "\"title\":\"Counts scans\""),
+        ("/api/v1/refs?name=MW%2010", "\"address\":\"MW 10\""),
+        ("/api/v1/assignments", "\"area\":\"M\""),
+        ("/api/v1/structure", "\"OB 1\""),
+        ("/api/v1/plants", "\"kind\":\"tank\""),
+        ("/api/v1/diagnostics?format=text", "mode change"),
+        ("/api/v1/explain/FP", "edge"),
+        ("/metrics", "sieben_scans_total"),
+        ("/docs/", "<h1"),
+        ("/docs/reference/limits", "<table"),
+    ] {
+        let (status, _, text) = serving.ask("GET", path, "", "");
+        assert!(status == 200 && text.contains(part), "{path}: {status} {text:.300}");
+    }
+    let log = fs::read_to_string(folder.path().join(".sieben/audit.log")).expect("a log");
+    let what: Vec<Value> = log.lines().map(|line| serde_json::from_str::<Value>(line).expect("JSON")["what"].clone()).collect();
+    assert_eq!(what, ["write", "write", "force", "unforce", "stop", "start", "fault"], "{log}");
+    assert!(log.lines().all(|line| line.contains("\"peer\":\"page 127.0.0.1:")), "{log}");
+}
+
+#[test]
+fn what_is_wrong_is_a_problem_with_its_code() {
+    let folder = project();
+    let serving = Serving::usual(&folder);
+    let other = format!("Host: other.example:{}\r\n", serving.page.port());
+    for (method, path, head, body, status, code) in [
+        ("GET", "/api/v1/nothing", "", "", 404, "P7137"),
+        ("GET", "/nothing.js", "", "", 404, "P7137"),
+        ("GET", "/api/v1/blocks/FC99", "", "", 404, "P7095"),
+        ("PUT", "/api/v1/state", "", "", 405, "P7138"),
+        ("POST", "/metrics", "", "", 405, "P7138"),
+        ("POST", "/api/v1/mode", "", "{", 400, "P7131"),
+        ("POST", "/api/v1/mode", "", "[]", 400, "P7131"),
+        ("POST", "/api/v1/mode", "", r#"{"mode":"fly"}"#, 400, "P7091"),
+        ("POST", "/api/v1/mode", "", r#"{"mode":"run"}"#, 409, "P7093"),
+        ("POST", "/api/v1/forces", "", r#"{"name":"C 0","value":"1","reason":""}"#, 404, "P7003"),
+        ("GET", "/api/v1/trace?from=900000&to=900001&channels=MW10", "", "", 404, "P7139"),
+        ("GET", "/ws", "", "", 400, "P7131"),
+        ("GET", "/", &other, "", 421, "P7135"),
+        ("GET", "/api/v1/state", "Origin: http://other.example\r\n", "", 403, "P7134"),
+        ("POST", "/api/v1/mode", "Origin: null\r\n", r#"{"mode":"stop"}"#, 403, "P7134"),
+    ] {
+        let (got, head, text) = serving.ask(method, path, head, body);
+        let problem: Value = serde_json::from_str(&text).unwrap_or_default();
+        assert_eq!((got, problem["code"].as_str()), (status, Some(code)), "{method} {path}: {text}");
+        assert!(head.contains("application/problem+json") && head.contains("nosniff"), "{head}");
+    }
+    let (status, _, _) = serving.ask("POST", "/api/v1/mode", "", &format!("{{\"mode\":\"{}\"}}", "x".repeat(70_000)));
+    assert_eq!(status, 413);
+    let (_, head, text) = serving.ask("GET", "/", "", "");
+    assert!(head.contains("frame-ancestors 'none'") && text.contains("<title>Sieben</title>"), "{head}");
+}
+
+#[test]
+fn a_page_that_says_anything_is_sent_away_and_others_are_not() {
+    let folder = project();
+    let serving = Serving::usual(&folder);
+    let mut other = serving.page("");
+    other.subscribe();
+    let deep = format!("{{\"t\":{}", "[".repeat(50_000));
+    let long = vec![b' '; 1_000_000];
+    for (number, (kind, frame, code)) in [
+        (1, deep.as_bytes(), "P7131"),
+        (1, b"{\"t\":\"fly\"}".as_slice(), "P7131"),
+        (2, b"\xFF\xFE", "P7131"),
+        (1, b"\xFF\xFE", "P7131"),
+        (1, &vec![b' '; 70_000], "P7130"),
+        (1, &long, "P7130"),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let mut page = serving.page("");
+        page.frame(kind, frame);
+        let bye = page.until(&format!("farewell {number}"), |message| message["t"] == "bye");
+        assert_eq!(bye["why"], code, "{number}: {bye}");
+        assert_eq!(page.next(), None);
+    }
+    let mut page = serving.page("");
+    (0..100).for_each(|number| page.say(&json!({ "t": "ack", "seq": number })));
+    assert_eq!(page.until("a farewell", |message| message["t"] == "bye")["why"], "P7130");
+    other.until("the other page is live", |message| message["t"] == "scan" && message["n"].as_u64() > Some(50));
+}
+
+#[test]
+fn other_computers_need_a_token_and_one_of_the_two_only_looks() {
+    let folder = project();
+    let refused = folder.run(&["serve", ".", "--s7", "127.0.0.1:0", "--page", "0.0.0.0:7300"]);
+    assert_eq!(refused.code, Some(2), "{}", refused.stderr);
+    assert!(refused.stderr.contains("P7100") && refused.stderr.contains("--expose page=0.0.0.0:7300"), "{}", refused.stderr);
+    let serving = Serving::new(&folder, &["--page", "0.0.0.0:0", "--expose", "page=0.0.0.0:0"]);
+    let file = folder.path().join(".sieben/page-tokens");
+    assert_eq!(fs::metadata(&file).expect("a file of tokens").permissions().mode() & 0o777, 0o600);
+    let text = fs::read_to_string(&file).expect("tokens");
+    let token = |word: &str| text.lines().find_map(|line| line.strip_prefix(word)).expect("a token").trim().to_owned();
+    let bearer = |word: &str| format!("Authorization: Bearer {}\r\n", token(word));
+    let write = r#"{"M 50.0":true}"#;
+    for (method, path, head, status) in [
+        ("GET", "/", String::new(), 200),
+        ("GET", "/api/v1/state", String::new(), 401),
+        ("GET", "/metrics", String::new(), 401),
+        ("GET", "/ws", String::new(), 401),
+        ("GET", "/api/v1/state", "Authorization: Bearer wrong\r\n".to_owned(), 401),
+        ("GET", "/api/v1/state", bearer("view"), 200),
+        ("PATCH", "/api/v1/tags", bearer("view"), 403),
+        ("PATCH", "/api/v1/tags", bearer("program"), 200),
+    ] {
+        assert_eq!(serving.ask(method, path, &head, if method == "PATCH" { write } else { "" }).0, status, "{method} {path} {head}");
+    }
+    let mut page = serving.page(&format!("?token={}", token("view")));
+    assert_eq!(page.next().expect("a welcome")["role"], "view");
+    drop(serving);
+    fs::set_permissions(&file, fs::Permissions::from_mode(0o644)).expect("it is ours");
+    let refused = folder.run(&["serve", ".", "--s7", "127.0.0.1:0", "--page", "0.0.0.0:0", "--expose", "page=0.0.0.0:0"]);
+    assert!(refused.code == Some(2) && refused.stderr.contains("P7140") && refused.stderr.contains("chmod 600"), "{}", refused.stderr);
+}
+
+#[test]
+fn the_end_of_the_run_is_said_to_pages() {
+    let folder = project();
+    let mut serving = Serving::usual(&folder);
+    let mut page = serving.page("");
+    page.subscribe();
+    page.until("a scan", has_both);
+    let killed = Command::new("kill").args(["-INT", &serving.child.id().to_string()]).status().expect("kill exists");
+    assert!(killed.success());
+    assert_eq!(page.until("a farewell", |message| message["t"] == "bye")["why"], "P7094");
+    assert_eq!(page.next(), None);
+    assert_eq!(serving.child.wait().expect("it ends").code(), Some(0));
+}

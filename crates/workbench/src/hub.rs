@@ -1,0 +1,537 @@
+//! What all pages look at: one look at the CPU for all of them, as often as pages can show it.
+//!
+//! Values come from where the replay of a scan ends, so that all of a message belongs to one scan, and the scan itself is held up by one copy.
+//! Where no scan runs they are read at the gate.
+
+use std::collections::{BTreeMap, HashMap};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+use serde_json::{Value as Json, json};
+use sieben_cpu::{Cpu, OperatingMode, Station};
+use sieben_engine::{Machine, StatementEvent};
+use sieben_lang::reason::{Language, Moment, Reasons};
+use sieben_model::block::BlockId;
+use sieben_model::item::Item;
+use sieben_model::value::Value;
+use sieben_sim::names::{Name, Shown};
+use sieben_sim::wrap;
+use sieben_workspace::control::answer::Answer;
+use sieben_workspace::control::{Control, CurrentFacts, Request, watched};
+use sieben_workspace::names::shown_json;
+use sieben_workspace::observed::{Entry, Event};
+use sieben_workspace::refusal::capitalized;
+use sieben_workspace::status::{Desk, Look, Onlooker, Sample};
+use sieben_workspace::{Closed, Gate, Plant, Speed};
+use tokio::sync::watch;
+
+use crate::forces::Forces;
+use crate::live::content::Content;
+use crate::live::message::Common;
+use crate::live::program::Known;
+use crate::live::shot::{Head, Shot};
+use crate::live::wanted::{AllWanted, Wanted};
+use crate::reference::{Reference, View};
+
+/// Time between two looks, in milliseconds: pages are sent 20 messages a second.
+const LOOK_MS: u64 = 50;
+/// How long a scan that is due is waited for before values are read without one.
+const WAIT: Duration = Duration::from_millis(2 * LOOK_MS);
+/// What is asked for seldom is looked at every so many looks.
+const SELDOM: u64 = 10;
+/// Pages that are connected at most.
+pub const PAGES_MAX: usize = 100;
+
+/// A page that is connected.
+#[derive(Clone, Debug)]
+pub(crate) struct Visitor {
+    /// Its address and port.
+    pub(crate) peer: String,
+    /// What it may do.
+    pub(crate) role: crate::access::Role,
+}
+
+/// What names mean in a program.
+#[derive(Default)]
+struct Meant {
+    version: u64,
+    names: HashMap<String, Option<Item>>,
+}
+
+/// What was seen where a scan ended.
+struct Seen {
+    sample: Option<Arc<Sample>>,
+    tags: HashMap<String, Json>,
+    plant: Option<Content>,
+    mode: OperatingMode,
+    scan: u64,
+    time_us: u64,
+}
+
+/// What all pages look at.
+pub(crate) struct Hub {
+    /// The way in to the CPU.
+    pub(crate) gate: Arc<Gate>,
+    /// Where the status of scans is asked for.
+    pub(crate) desk: Arc<Desk>,
+    /// What is known of the program.
+    pub(crate) facts: Arc<CurrentFacts>,
+    /// Answers questions about the program as a whole.
+    pub(crate) reference: Arc<dyn Reference>,
+    /// What pages want.
+    pub(crate) wanted: AllWanted,
+    /// Why operands are forced.
+    pub(crate) forces: Forces,
+    visitors: Mutex<BTreeMap<u64, Visitor>>,
+    next: AtomicU64,
+    program: Mutex<Arc<Known>>,
+    meant: Mutex<Meant>,
+    reasons: Mutex<HashMap<(BlockId, u32), [String; 2]>>,
+    seen: Mutex<Option<Seen>>,
+    newest: watch::Sender<Option<Arc<Shot>>>,
+    ends: AtomicBool,
+}
+
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// The mode in the words of the protocol.
+pub(crate) fn mode_word(mode: OperatingMode) -> &'static str {
+    match mode {
+        OperatingMode::Run => "run",
+        OperatingMode::Stop => "stop",
+        OperatingMode::Startup => "startup",
+        OperatingMode::Hold => "hold",
+    }
+}
+
+/// A value as pages take it: bits as true and false.
+fn value_json(value: &Value) -> Json {
+    match value.shown() {
+        Shown::Bit(bit) => json!(bit),
+        shown => shown_json(&shown),
+    }
+}
+
+impl Hub {
+    /// Pages of a run.
+    pub(crate) fn new(gate: Arc<Gate>, desk: Arc<Desk>, facts: Arc<CurrentFacts>, reference: Arc<dyn Reference>) -> Self {
+        let program = Mutex::new(Arc::new(Known::new(facts.version(), facts.facts())));
+        Self {
+            gate,
+            desk,
+            facts,
+            reference,
+            wanted: AllWanted::default(),
+            forces: Forces::default(),
+            visitors: Mutex::default(),
+            next: AtomicU64::new(1),
+            program,
+            meant: Mutex::default(),
+            reasons: Mutex::default(),
+            seen: Mutex::default(),
+            newest: watch::Sender::new(None),
+            ends: AtomicBool::new(false),
+        }
+    }
+
+    /// The program that runs.
+    pub(crate) fn program(&self) -> Arc<Known> {
+        let version = self.facts.version();
+        let mut program = lock(&self.program);
+        if program.version != version {
+            *program = Arc::new(Known::new(version, self.facts.facts()));
+        }
+        Arc::clone(&program)
+    }
+
+    /// Tells of each new look.
+    pub(crate) fn looks(&self) -> watch::Receiver<Option<Arc<Shot>>> {
+        self.newest.subscribe()
+    }
+
+    /// A page comes; `None` if there are too many.
+    pub(crate) fn enter(&self, visitor: Visitor) -> Option<u64> {
+        let mut visitors = lock(&self.visitors);
+        (visitors.len() < PAGES_MAX).then(|| {
+            let page = self.next.fetch_add(1, Ordering::Relaxed);
+            visitors.insert(page, visitor);
+            self.wanted.set(page, Some(Wanted::default()));
+            page
+        })
+    }
+
+    /// A page goes.
+    pub(crate) fn leave(&self, page: u64) {
+        lock(&self.visitors).remove(&page);
+        self.wanted.set(page, None);
+    }
+
+    /// Ends the looks soon.
+    pub(crate) fn end(&self) {
+        self.ends.store(true, Ordering::Release);
+    }
+
+    /// Whether the run or the server is over.
+    pub(crate) fn is_over(&self) -> bool {
+        self.ends.load(Ordering::Acquire) || self.gate.is_closed()
+    }
+
+    /// Looks at the CPU until the end: the body of a thread.
+    pub(crate) fn watch(&self) {
+        let (mut number, mut looks) = (0, 0_u64);
+        let mut look: Option<(Arc<Wanted>, Look<'_>)> = None;
+        while !self.is_over() {
+            if self.wanted.pages() == 0 {
+                look = None;
+                std::thread::sleep(Duration::from_millis(LOOK_MS));
+                continue;
+            }
+            let began_us = self.gate.now_us();
+            let wanted = self.wanted.together();
+            if !wanted.needs_replay() {
+                look = None;
+            } else if look.as_ref().is_none_or(|(before, _)| before.blocks != wanted.blocks) {
+                // The new look begins before the old one ends.
+                look = Some((Arc::clone(&wanted), self.desk.look(wanted.blocks.iter().copied())));
+            }
+            let waited = look.as_ref().and_then(|_| self.desk.wait_for_sample(number, WAIT));
+            if let Some((newest, _)) = &waited {
+                number = *newest;
+            }
+            looks += 1;
+            match self.look(&wanted, waited.is_some(), looks) {
+                Ok(shot) => drop(self.newest.send_replace(Some(Arc::new(shot)))),
+                Err(Closed) => break,
+            }
+            let took_us = self.gate.now_us().saturating_sub(began_us);
+            let rest = (LOOK_MS * 1_000).saturating_sub(took_us);
+            if rest > 0 {
+                std::thread::sleep(Duration::from_micros(rest));
+            }
+        }
+        self.newest.send_replace(None);
+    }
+
+    /// One look: at what the replay has seen, else at the CPU as it stands.
+    fn look(&self, wanted: &Wanted, was_replayed: bool, looks: u64) -> Result<Shot, Closed> {
+        let replayed = if was_replayed { lock(&self.seen).take() } else { None };
+        let program = self.program();
+        let items = self.items(wanted, &program);
+        let (mut head, standing, forced) = self.gate.look(|plant| {
+            let standing = replayed.is_none().then(|| see(&plant.cpu, &items, wanted));
+            (self.head(plant), standing, forced(plant))
+        })?;
+        let seen = match replayed {
+            Some(seen) => seen,
+            None => {
+                let (tags, plant) = standing.unwrap_or_default();
+                let newest = self.desk_sample(head.newest, wanted);
+                Seen { sample: newest, tags, plant, mode: mode_of(head.mode), scan: head.newest, time_us: head.newest_us }
+            }
+        };
+        head.scan = seen.scan;
+        head.time_us = seen.time_us;
+        head.mode = mode_word(seen.mode);
+        head.same = seen.sample.as_ref().is_none_or(|sample| sample.same);
+        let mut common = self.common(wanted, &program, looks);
+        if let Some(plant) = seen.plant {
+            common.insert(Common::Plant, plant);
+        }
+        if wanted.common.contains(&Common::Leds) {
+            common.insert(Common::Leds, leds(seen.mode, forced));
+        }
+        let reasons = lock(&self.reasons).clone();
+        let before = self.newest.borrow().clone();
+        let flows = self.flows(wanted, &program, seen.sample.as_deref(), before.as_deref());
+        Ok(Shot { head, program, sample: seen.sample, reasons, flows, tags: seen.tags, common })
+    }
+
+    /// What the lines of networks carry in a scan; where their block did what it did before they carry the same.
+    pub(crate) fn flows(
+        &self,
+        wanted: &Wanted,
+        program: &Known,
+        sample: Option<&Sample>,
+        before: Option<&Shot>,
+    ) -> HashMap<(BlockId, View, u32), Json> {
+        let (Some(build), Some(sample)) = (&program.facts.build, sample) else { return HashMap::new() };
+        let before = before.filter(|before| before.program.version == program.version);
+        let known = |of: &(BlockId, View, u32)| {
+            let before = before?;
+            let block = (of.0, 0)..=(of.0, u32::MAX);
+            let now = sample.statements.range(block.clone());
+            let same = before.sample.as_ref()?.statements.range(block).eq(now);
+            before.flows.get(of).filter(|_| same).cloned()
+        };
+        let flow = |&of: &(BlockId, View, u32)| {
+            let (block, view, network) = of;
+            let statements = sample.statements.range((block, 0)..=(block, u32::MAX));
+            let mut after = statements.map(|(&(_, number), status)| (number, status.after.clone()));
+            (of, known(&of).unwrap_or_else(|| self.reference.flow(build, (block, network, view), &mut after)))
+        };
+        wanted.flows.iter().filter(|(block, ..)| sample.blocks.contains(block)).map(flow).collect()
+    }
+
+    /// The newest sample, where it still belongs to the newest scan.
+    fn desk_sample(&self, newest: u64, wanted: &Wanted) -> Option<Arc<Sample>> {
+        let shot = self.newest.borrow().clone()?;
+        let sample = shot.sample.clone()?;
+        (!wanted.blocks.is_empty() && sample.scan == newest).then_some(sample)
+    }
+
+    fn head(&self, plant: &Plant) -> Head {
+        let cpu = &plant.cpu;
+        let stopped = cpu.stop_cause().filter(|_| cpu.mode() == OperatingMode::Stop);
+        Head {
+            scan: plant.scans,
+            time_us: cpu.time_us(),
+            mode: mode_word(cpu.mode()),
+            oldest: self.desk.past().range().map_or(plant.scans, |(first, _)| first.scan.min(plant.scans)),
+            newest: plant.scans,
+            newest_us: cpu.time_us(),
+            paused: plant.pace.is_paused(),
+            speed: match plant.pace.speed() {
+                Speed::Factor(factor) => factor,
+                Speed::Max => 0.0,
+            },
+            same: true,
+            why: stopped.map(|cause| cause.text.clone()),
+        }
+    }
+
+    /// Names with the items that they mean in this program.
+    fn items(&self, wanted: &Wanted, program: &Known) -> Vec<(String, Option<Item>)> {
+        let mut meant = lock(&self.meant);
+        if meant.version != program.version {
+            *meant = Meant { version: program.version, ..Meant::default() };
+        }
+        meant.names.retain(|name, _| wanted.names.contains(name));
+        let item = |name: &String| {
+            let known = meant.names.entry(name.clone()).or_insert_with(|| item_of(name, program));
+            (name.clone(), known.clone())
+        };
+        wanted.names.iter().map(item).collect()
+    }
+
+    /// What is the same for all pages.
+    fn common(&self, wanted: &Wanted, program: &Known, looks: u64) -> BTreeMap<Common, Content> {
+        let before = self.newest.borrow().clone();
+        let mut common = BTreeMap::new();
+        for &one in &wanted.common {
+            // What moves slowly, and takes more than a look, is the one of before most of the time.
+            let known = before.as_ref().and_then(|shot| shot.common.get(&one).cloned());
+            let content = match (one, known) {
+                (Common::Plant | Common::Leds, _) => continue,
+                (Common::Changes, _) => self.changes(program),
+                (_, Some(known)) if !looks.is_multiple_of(SELDOM) => known,
+                (Common::Clients, _) => Content::Whole(self.clients()),
+                (Common::Diagnostics, _) => Content::Whole(self.diagnostics(program)),
+                (Common::Cycle, _) => self.cycle(),
+                (Common::Forces, _) => Content::Whole(self.forces.json(self)),
+            };
+            common.insert(one, content);
+        }
+        common
+    }
+
+    /// Clients of servers, and pages.
+    pub(crate) fn clients(&self) -> Json {
+        let server = |client: &sieben_workspace::control::Client| {
+            json!({
+                "id": format!("{} {}", client.protocol, client.peer), "name": client.partner, "protocol": client.protocol, "peer": client.peer,
+                "connected_ms": client.for_us as f64 / 1000.0, "request": client.last,
+            })
+        };
+        let page = |(number, visitor): (&u64, &Visitor)| {
+            json!({
+                "id": format!("page {number}"), "name": "page", "protocol": "HTTP", "peer": visitor.peer, "role": visitor.role.word(),
+            })
+        };
+        let servers = self.facts.clients();
+        servers.iter().map(server).chain(lock(&self.visitors).iter().map(page)).collect()
+    }
+
+    /// The diagnostic buffer, newest first.
+    fn diagnostics(&self, program: &Known) -> Json {
+        let mut control = Control::new(Arc::clone(&self.facts));
+        let Ok(Answer::Diagnostics(diagnostics)) = control.answer(&self.gate, &self.desk, &Request::Diagnostics { after: 0 }) else {
+            return json!([]);
+        };
+        let entry = |entry: &sieben_workspace::control::answer::Entry| {
+            let place = entry.place.as_ref().map(|place| {
+                let block: String = place.block.to_string().split_whitespace().collect();
+                json!({ "block": block, "network": crate::reference::network(program, place), "line": place.line.as_ref().map(|(_, line)| line) })
+            });
+            let mut object = json!({
+                "id": format!("16#{:04X}", entry.event), "number": entry.number, "text": entry.text, "detail": "", "time": entry.time,
+                "kind": event_kind(entry.event),
+            });
+            if let Some(place) = place {
+                object["place"] = place;
+            }
+            object
+        };
+        diagnostics.entries.iter().rev().map(entry).collect()
+    }
+
+    /// What changed, oldest first; values are compared for a while after they were asked for.
+    fn changes(&self, program: &Known) -> Content {
+        self.desk.observed.look(program.version, || watched(&program.facts), self.gate.now_us());
+        let (_, entries) = self.desk.observed.newer_than(0);
+        let json = |entry: Entry| {
+            let mut object = json!({ "n": entry.scan, "t_us": entry.time_us });
+            match entry.event {
+                Event::Note(text) => object["note"] = text.into(),
+                Event::Change { name, address, before, after, .. } => {
+                    for (key, text) in [("name", name), ("address", address), ("from", before), ("to", after)] {
+                        object[key] = text.into();
+                    }
+                }
+            }
+            (entry.number, object)
+        };
+        Content::Log(entries.into_iter().map(json).collect())
+    }
+
+    fn cycle(&self) -> Content {
+        let Ok((times, scans)) = self.gate.look(|plant| (plant.cpu.cycle_times(), plant.scan_times.clone())) else {
+            return Content::Whole(Json::Null);
+        };
+        let mean = scans.times.sum_us.checked_div(scans.times.count).unwrap_or(0);
+        let mut before = 0;
+        let mut lower = 0;
+        let classes = scans.times.up_to().map(|(end, count)| {
+            let class = json!([lower, count - before]);
+            (before, lower) = (count, end);
+            class
+        });
+        let mut classes: Vec<Json> = classes.collect();
+        classes.push(json!([lower, scans.times.count - before]));
+        let values = [
+            ("last_us", json!(times.last)),
+            ("min_us", json!(times.min)),
+            ("max_us", json!(times.max)),
+            ("mean_us", json!(mean)),
+            ("program_us", json!(times.execution_last)),
+            ("overruns", json!(scans.overruns)),
+            ("histogram", Json::Array(classes)),
+        ];
+        Content::Keyed(values.into_iter().map(|(key, value)| (key.to_owned(), value)).collect())
+    }
+}
+
+/// What is read at one moment: values by name, and the plants.
+pub(crate) fn see(cpu: &Cpu, items: &[(String, Option<Item>)], wanted: &Wanted) -> (HashMap<String, Json>, Option<Content>) {
+    let list: Vec<Item> = items.iter().filter_map(|(_, item)| item.clone()).collect();
+    let mut values = cpu.read_items(&list).into_iter();
+    let tags = items.iter().map(|(name, item)| {
+        let value = item.as_ref().and_then(|_| values.next()).and_then(Result::ok);
+        let is_formatted = name.contains(',');
+        let json = match value {
+            Some(value) if is_formatted => json!(value.shown().readable()),
+            Some(value) => value_json(&value),
+            None => Json::Null,
+        };
+        (name.clone(), json)
+    });
+    let plant = wanted.common.contains(&Common::Plant).then(|| Content::Whole(wrap::plants(cpu.rack()).map(plant_json).collect()));
+    (tags.collect(), plant)
+}
+
+/// What a name means: `MW 10`, or `MW 10,HEX` with the format of a watch table.
+pub(crate) fn item_of(name: &str, program: &Known) -> Option<Item> {
+    let facts = &program.facts;
+    let meant = match name.rsplit_once(',') {
+        Some((plain, format)) if !format.contains(']') => {
+            let formatted = if format.trim().is_empty() { plain.to_owned() } else { format!("{plain}:{format}") };
+            Name::parse(&formatted, &facts.symbols, &facts.program)
+        }
+        _ => Name::parse(name, &facts.symbols, &facts.program),
+    };
+    meant.ok().map(|name| name.readable().item().clone())
+}
+
+fn plant_json(plant: &wrap::Plant) -> Json {
+    use sieben_cpu::IoModule;
+    let kind = plant.kind();
+    let mut inputs = vec![0_u8; kind.input_bytes as usize];
+    plant.read(0, &mut inputs);
+    let state: Json = plant.device().state().into_iter().map(|(name, value, unit)| json!([name, value, unit])).collect();
+    json!({
+        "kind": kind.name, "name": plant.name(), "input": plant.inputs().start, "output": plant.outputs().start,
+        "parameters": plant.device().settings().parameters, "inputs": inputs, "outputs": plant.commands(), "state": state,
+        "faults": plant.faults().map(ToString::to_string).collect::<Vec<_>>(),
+    })
+}
+
+fn mode_of(word: &str) -> OperatingMode {
+    let all = [OperatingMode::Run, OperatingMode::Stop, OperatingMode::Startup, OperatingMode::Hold];
+    all.into_iter().find(|&mode| mode_word(mode) == word).unwrap_or_default()
+}
+
+/// What the lamps of the CPU need beside its mode.
+#[derive(Clone, Copy)]
+struct Lamps {
+    is_forced: bool,
+    has_failed: bool,
+}
+
+fn forced(plant: &Plant) -> Lamps {
+    let has_failed = plant.cpu.failed_statements().count > 0 || plant.cpu.stop_cause().is_some_and(|cause| cause.place.is_some());
+    Lamps { is_forced: plant.cpu.forced().bytes().next().is_some(), has_failed }
+}
+
+/// The lamps: 0 off, 1 on, 2 flashing.
+fn leds(mode: OperatingMode, lamps: Lamps) -> Content {
+    let (run, stop) = match mode {
+        OperatingMode::Run => (1, 0),
+        OperatingMode::Stop => (0, 1),
+        OperatingMode::Startup | OperatingMode::Hold => (2, 1),
+    };
+    let values =
+        [("sf", u8::from(lamps.has_failed)), ("bf", 0), ("dc5v", 1), ("frce", u8::from(lamps.is_forced)), ("run", run), ("stop", stop)];
+    Content::Keyed(values.into_iter().map(|(name, value)| (name.to_owned(), json!(value))).collect())
+}
+
+/// What sort of event it is: the first digits are its class.
+fn event_kind(event: u16) -> &'static str {
+    match event >> 12 {
+        0x2 | 0x3 => "error",
+        0x4 if event & 0x0F00 == 0x0500 => "error",
+        0x4 => "mode",
+        0x5..=0x9 => "warning",
+        _ => "info",
+    }
+}
+
+/// Why a statement did what it did, in the order of [`Language::ALL`].
+pub(crate) fn reasons_of(program: &Known, machine: &Machine, event: &StatementEvent) -> Option<[String; 2]> {
+    let build = program.facts.build.as_ref()?;
+    let reasons = Reasons::new(&build.compiled, &build.project.texts.program, &build.project.symbols);
+    let moment = Moment { event, before: None, after: machine, fault: None };
+    Some(Language::ALL.map(|language| format!("{}.", capitalized(&reasons.sentence(&moment, language)))))
+}
+
+impl Onlooker for Hub {
+    fn statement(&self, machine: &Machine, event: &StatementEvent) {
+        let place = (event.place.block, event.place.statement);
+        if !self.wanted.together().reasons.contains(&place) {
+            return;
+        }
+        if let Some(said) = reasons_of(&self.program(), machine, event) {
+            lock(&self.reasons).insert(place, said);
+        }
+    }
+
+    fn ended(&self, cpu: &Cpu, sample: &Arc<Sample>) {
+        let wanted = self.wanted.together();
+        let items = self.items(&wanted, &self.program());
+        let (tags, plant) = see(cpu, &items, &wanted);
+        lock(&self.reasons).retain(|place, _| wanted.reasons.contains(place) && sample.statements.contains_key(place));
+        let seen = Seen { sample: Some(Arc::clone(sample)), tags, plant, mode: cpu.mode(), scan: sample.scan, time_us: sample.time_us };
+        *lock(&self.seen) = Some(seen);
+    }
+}

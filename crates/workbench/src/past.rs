@@ -1,0 +1,312 @@
+//! Scans of the past, for pages: one of them as if it were the newest, values of many, and who wrote a value.
+
+use std::collections::{BTreeMap, HashMap};
+use std::sync::Arc;
+
+use serde_json::{Value as Json, json};
+use sieben_cpu::Station;
+use sieben_engine::{FaultPlace, Machine, StatementEvent, Stored, Tracer};
+use sieben_lang::reason::Language;
+use sieben_model::block::BlockId;
+use sieben_model::item::Item;
+use sieben_model::problems::Problem;
+use sieben_model::value::Value;
+use sieben_sim::names::{Name, Shown};
+use sieben_sim::timing_diagram::Options;
+use sieben_sim::timing_diagram::svg;
+use sieben_sim::trace::{CHANNELS_MAX, Keep, Memory, Origin, Recorder, TraceError, csv, vcd};
+use sieben_workspace::Refusal;
+use sieben_workspace::past::{Gone, Seen, Viewer};
+use sieben_workspace::status::{Sample, StatementStatus};
+
+use crate::hub::{Hub, item_of, reasons_of, see};
+use crate::live::message::{Common, History, Who};
+use crate::live::program::Known;
+use crate::live::shot::{Head, Shot};
+use crate::live::wanted::Wanted;
+
+/// Scans that one question runs again at most: some seconds of work.
+const SCANS_MAX: u64 = 20_000;
+/// Points that a channel of an answer has at most.
+const POINTS_MAX: usize = 10_000;
+/// Scans that are looked through at a time for who wrote a value, from the newest on.
+const WRITERS_STEP: u64 = 500;
+
+fn not_kept(error: Gone) -> Refusal {
+    Refusal::new(Problem::P7139, error.to_string())
+}
+
+/// What the statements of some blocks did in one scan.
+struct Statements<'h> {
+    wanted: &'h Wanted,
+    program: &'h Known,
+    statements: BTreeMap<(BlockId, u32), StatementStatus>,
+    reasons: HashMap<(BlockId, u32), [String; 2]>,
+}
+
+impl Tracer for Statements<'_> {
+    fn statement(&mut self, machine: &Machine, event: &StatementEvent) {
+        let place = (event.place.block, event.place.statement);
+        if !self.wanted.blocks.contains(&place.0) {
+            return;
+        }
+        let times = self.statements.get(&place).map_or(0, |known| known.times).saturating_add(1);
+        let status = StatementStatus { before: event.before.clone(), after: event.after.clone(), times, value: None };
+        self.statements.insert(place, status);
+        if self.wanted.reasons.contains(&place)
+            && let Some(said) = reasons_of(self.program, machine, event)
+        {
+            self.reasons.insert(place, said);
+        }
+    }
+}
+
+/// A scan of the past with all that a page wants of it; how the run goes is that of now.
+///
+/// # Errors
+/// It is not kept.
+pub(crate) fn shot(hub: &Hub, viewer: &mut Viewer, scan: u64, wanted: &Wanted) -> Result<Shot, Refusal> {
+    let program = hub.program();
+    let items: Vec<(String, Option<Item>)> = wanted.names.iter().map(|name| (name.clone(), item_of(name, &program))).collect();
+    let mut told = Statements { wanted, program: &program, statements: BTreeMap::new(), reasons: HashMap::new() };
+    let Seen { mark, cpu } = viewer.traced(hub.desk.past(), scan, &mut told).map_err(not_kept)?;
+    let (tags, plant) = see(cpu, &items, wanted);
+    let mode = crate::hub::mode_word(cpu.mode());
+    let Statements { statements, reasons, .. } = told;
+    let newest = hub.looks().borrow().as_ref().map(|shot| (shot.head.clone(), shot.common.clone()));
+    let (now, mut common) = newest.unwrap_or_default();
+    if let Some(plant) = plant {
+        common.insert(Common::Plant, plant);
+    }
+    let blocks = wanted.blocks.iter().copied().collect();
+    let sample = Sample { scan: mark.scan, time_us: mark.time_us, same: true, blocks, statements };
+    let flows = hub.flows(wanted, &program, Some(&sample), None);
+    let head = Head { scan: mark.scan, time_us: mark.time_us, mode, same: true, why: None, ..now };
+    Ok(Shot { head, program, sample: Some(Arc::new(sample)), reasons, flows, tags, common })
+}
+
+/// A value as a number for a diagram.
+fn number(value: &Value) -> Option<f64> {
+    match value.shown() {
+        Shown::Bit(bit) => Some(f64::from(u8::from(bit))),
+        Shown::Number(number) => Some(number as f64),
+        Shown::Real(number) => Some(f64::from(number)),
+        Shown::LongReal(number) => Some(number),
+        _ => value.content.bits().map(|bits| bits as f64),
+    }
+}
+
+/// Where values of the past became others.
+struct Changes<'n> {
+    items: &'n [Option<Item>],
+    last: Vec<Option<f64>>,
+    points: Vec<Vec<(u64, f64)>>,
+    seen: Option<(u64, u64)>,
+}
+
+impl Changes<'_> {
+    fn look(&mut self, Seen { mark, cpu }: &Seen<'_>) {
+        let first = self.seen.map_or(mark.scan, |(first, _)| first);
+        self.seen = Some((first, mark.scan));
+        for ((item, last), points) in self.items.iter().zip(&mut self.last).zip(&mut self.points) {
+            let Some(item) = item else { continue };
+            let value = cpu.read_items(std::slice::from_ref(item)).into_iter().next().and_then(Result::ok);
+            let now = value.as_ref().and_then(number);
+            if let Some(number) = now.filter(|_| now != *last) {
+                points.push((mark.scan, number));
+            }
+            *last = now;
+        }
+    }
+}
+
+/// As few points as are wanted, with the least and the greatest of those that are left out.
+fn thinned(points: Vec<(u64, f64)>, most: usize) -> Vec<(u64, f64)> {
+    if points.len() <= most || most < 2 {
+        return points;
+    }
+    let group = points.len().div_ceil(most / 2);
+    let mut thin = Vec::with_capacity(most);
+    for chunk in points.chunks(group) {
+        let least = chunk.iter().min_by(|one, other| one.1.total_cmp(&other.1));
+        let greatest = chunk.iter().max_by(|one, other| one.1.total_cmp(&other.1));
+        let (Some(least), Some(greatest)) = (least, greatest) else { continue };
+        thin.push(*least);
+        if least.0 != greatest.0 {
+            thin.push(*greatest);
+        }
+        if let Some([one, other]) = thin.last_chunk_mut::<2>().filter(|[one, other]| one.0 > other.0) {
+            std::mem::swap(one, other);
+        }
+    }
+    thin
+}
+
+/// Values of the past, where they became others.
+///
+/// # Errors
+/// None of the scans is kept.
+pub(crate) fn history(hub: &Hub, viewer: &mut Viewer, asked: &History) -> Result<Json, Refusal> {
+    let program = hub.program();
+    let items: Vec<Option<Item>> = asked.channels.iter().map(|name| item_of(name, &program)).collect();
+    // Of a long time the end is wanted most.
+    let from = asked.from.max(asked.to.saturating_sub(SCANS_MAX - 1));
+    let mut changes = Changes { items: &items, last: vec![None; items.len()], points: vec![Vec::new(); items.len()], seen: None };
+    let look = |seen: Seen<'_>| {
+        changes.look(&seen);
+        true
+    };
+    viewer.each(hub.desk.past(), (from, asked.to), look).map_err(not_kept)?;
+    let (first, last) = changes.seen.unwrap_or((asked.to, asked.to));
+    let most = if asked.points == 0 { POINTS_MAX } else { asked.points.min(POINTS_MAX) };
+    let points = changes
+        .points
+        .into_iter()
+        .map(|points| -> Json { thinned(points, most).into_iter().map(|(scan, value)| json!([scan, value])).collect() });
+    let channels: serde_json::Map<String, Json> = asked.channels.iter().cloned().zip(points).collect();
+    Ok(json!({ "t": "history", "id": asked.id, "from": first, "to": last, "channels": channels }))
+}
+
+/// Finds the last statement of a scan that stored to a name.
+struct Writer<'n> {
+    name: &'n Name,
+    /// What stores is told before the statement has ended.
+    is_pending: bool,
+    place: Option<FaultPlace>,
+}
+
+impl Tracer for Writer<'_> {
+    fn statement(&mut self, _: &Machine, event: &StatementEvent) {
+        if std::mem::take(&mut self.is_pending) {
+            self.place = Some(event.place);
+        }
+    }
+
+    fn stores(&mut self, machine: &Machine, stored: Stored) {
+        self.is_pending |= self.name.is_stored(machine, &machine.registers, &stored);
+    }
+}
+
+/// Who wrote a value last, up to a scan.
+///
+/// # Errors
+/// The name means nothing, or the scan is not kept.
+pub(crate) fn who(hub: &Hub, viewer: &mut Viewer, asked: &Who, language: Language) -> Result<Json, Refusal> {
+    let program = hub.program();
+    let facts = &program.facts;
+    let name = Name::parse(&asked.name, &facts.symbols, &facts.program).map_err(|error| sieben_workspace::names::refused(&error))?;
+    let (oldest, newest) = hub.desk.past().range().ok_or_else(|| not_kept(Gone::NotKept))?;
+    let mut to = asked.scan.min(newest.scan);
+    if to < oldest.scan {
+        return Err(not_kept(Gone::NotKept));
+    }
+    let least = to.saturating_sub(SCANS_MAX).max(oldest.scan);
+    let mut found: Option<(FaultPlace, u64)> = None;
+    while found.is_none() && to >= least {
+        let from = to.saturating_sub(WRITERS_STEP - 1).max(least);
+        for scan in from..=to {
+            let mut writer = Writer { name: &name, is_pending: false, place: None };
+            viewer.traced(hub.desk.past(), scan, &mut writer).map_err(not_kept)?;
+            found = writer.place.map(|place| (place, scan)).or(found);
+        }
+        match from.checked_sub(1) {
+            Some(before) => to = before,
+            None => break,
+        }
+    }
+    let Some((place, scan)) = found else {
+        let text = match language {
+            Language::English => format!("No statement has written {} since scan {least}.", asked.name),
+            Language::German => format!("Seit Zyklus {least} hat keine Anweisung {} geschrieben.", asked.name),
+        };
+        return Ok(json!({ "t": "who", "id": asked.id, "name": asked.name, "text": text }));
+    };
+    let placed = facts.places().of(place);
+    let block: String = place.block.to_string().split_whitespace().collect();
+    let line = placed.line.as_ref().map_or(0, |(_, line)| *line);
+    let text = match language {
+        Language::English => format!("{} was written last by {}, line {line}, in scan {scan}.", asked.name, place.block),
+        Language::German => format!("{} wurde zuletzt von {}, Zeile {line}, in Zyklus {scan} geschrieben.", asked.name, place.block),
+    };
+    Ok(json!({
+        "t": "who", "id": asked.id, "name": asked.name, "text": text, "block": block, "network": crate::reference::network(&program, &placed),
+        "line": line, "scan": scan,
+    }))
+}
+
+/// How a trace is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Written {
+    /// A table.
+    Csv,
+    /// A dump of signals.
+    Vcd,
+    /// A timing diagram.
+    Svg,
+}
+
+impl Written {
+    /// All of them with their words and kinds.
+    pub(crate) const ALL: [(&'static str, Self, &'static str); 3] = [
+        ("csv", Self::Csv, "text/csv; charset=utf-8"),
+        ("vcd", Self::Vcd, "text/plain; charset=utf-8"),
+        ("svg", Self::Svg, "image/svg+xml"),
+    ];
+}
+
+/// Bytes that a trace takes in memory at most.
+const TRACE_BYTES_MAX: usize = 16 * 1024 * 1024;
+
+/// A trace of scans of the past, written as `sieben trace` writes it.
+///
+/// # Errors
+/// A name means nothing, or none of the scans is kept.
+pub(crate) fn trace(hub: &Hub, (from, to): (u64, u64), channels: &str, written: Written) -> Result<String, Refusal> {
+    let program = hub.program();
+    let facts = &program.facts;
+    let names = sieben_workspace::names::split_list(channels);
+    if names.is_empty() || names.len() > CHANNELS_MAX {
+        return Err(Refusal::new(Problem::P7131, format!("`channels` names 1 to {CHANNELS_MAX} values, separated by commas")));
+    }
+    let meant = names.into_iter().map(|name| Name::parse(name, &facts.symbols, &facts.program).map(Name::readable));
+    let meant = meant.collect::<Result<Vec<_>, _>>().map_err(|error| sieben_workspace::names::refused(&error))?;
+    let from = from.max(to.saturating_sub(SCANS_MAX - 1));
+    let failed = |error: TraceError| Refusal::new(Problem::P7130, error.to_string());
+    let origin = Origin { title: facts.project.clone().unwrap_or_default(), ..Origin::default() };
+    let mut recorder = Recorder::new(meant, Keep::All, origin, Box::new(Memory::new(TRACE_BYTES_MAX))).map_err(failed)?;
+    let (mut wrong, mut count) = (None, 0_u64);
+    let look = |Seen { mark, cpu }: Seen<'_>| {
+        count += 1;
+        wrong = recorder.scan(cpu, mark.scan, mark.time_us).err();
+        wrong.is_none()
+    };
+    Viewer::default().each(hub.desk.past(), (from, to), look).map_err(not_kept)?;
+    if let Some(error) = wrong {
+        return Err(failed(error));
+    }
+    if count == 0 {
+        return Err(not_kept(Gone::NotKept));
+    }
+    let trace = recorder.finish().map_err(failed)?;
+    let mut text = String::new();
+    match written {
+        Written::Csv => csv::write(&trace, &trace.all(), csv::Rows::All, &mut text).map_err(failed)?,
+        Written::Vcd => vcd::write(&trace, &trace.all(), &mut text).map_err(failed)?,
+        Written::Svg => text = svg(&trace, &Options::svg()).map_err(failed)?,
+    }
+    Ok(text)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn thinning_keeps_what_stands_out() {
+        let points: Vec<(u64, f64)> = (0..10_000).map(|scan| (scan, if scan == 5_555 { 1_000.0 } else { (scan % 10) as f64 })).collect();
+        let thin = thinned(points.clone(), 100);
+        assert!(thin.len() <= 101 && thin.iter().any(|&(scan, value)| (scan, value) == (5_555, 1_000.0)), "{}", thin.len());
+        assert!(thin.windows(2).all(|pair| pair[0].0 < pair[1].0), "in their order");
+        assert_eq!(thinned(points[..50].to_vec(), 100), points[..50]);
+    }
+}
