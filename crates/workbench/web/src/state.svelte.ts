@@ -70,6 +70,7 @@ class Page {
   /** What the page was asked to open: palette, keys, force dialog. */
   dialog = $state<'' | 'palette' | 'keys' | 'force'>('');
   forceWanted = $state('');
+  forceValue = $state('');
 
   state: State = $derived.by(() => {
     if (this.link === 'down') return 'offline';

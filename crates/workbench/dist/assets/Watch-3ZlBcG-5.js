@@ -1,1 +1,0 @@
-import{_ as e,g as t}from"./index-GgdqkC5F.js";var n=e(`<div class="panel"></div>`);function r(e){var r=n();t(e,r)}export{r as default};
