@@ -100,7 +100,7 @@ function push(page, all = false) {
     const now = snapshot(page, sub, n);
     const text = JSON.stringify(now);
     if (!all && sub.sent === text) continue;
-    if (!all && sub.what === 'rows' && sub.last !== undefined) s[id] = Object.fromEntries(now.map((row, i) => [i, row]).filter(([i, row]) => JSON.stringify(row) !== JSON.stringify(sub.last[i])));
+    if (!all && sub.what === 'rows' && sub.last !== undefined) s[id] = Object.fromEntries(now.map((row, i) => [i + sub.from, row]).filter(([, row], i) => JSON.stringify(row) !== JSON.stringify(sub.last[i])));
     else if (!all && (sub.what === 'tags' || sub.what === 'leds') && sub.last !== undefined) s[id] = Object.fromEntries(Object.entries(now).filter(([name, value]) => sub.last[name] !== value));
     else s[id] = now;
     sub.sent = text;
@@ -287,7 +287,7 @@ function answer(method, path, query, body, page) {
       return [200, machine.forces];
     case 'POST faults': {
       const signal = body.name.split('.').pop();
-      if (body.fault === 'none') delete machine.faults[signal];
+      if (body.fault === '') delete machine.faults[signal];
       else machine.faults[signal] = body.fault;
       return [204];
     }

@@ -70,11 +70,11 @@ export class BlockModel {
   }
 
   #take(data: Row[] | Record<string, Row>, from: number): void {
-    const rows = Array.isArray(data) ? data.map((row, i) => [i, row] as const) : Object.entries(data).map(([i, row]) => [Number(i), row] as const);
+    const rows = Array.isArray(data) ? data.map((row, i) => [from + i, row] as const) : Object.entries(data).map(([i, row]) => [Number(i), row] as const);
     const touched = new Set<number>();
     for (const [i, row] of rows) {
-      this.row(from + i).take(row);
-      touched.add(from + i);
+      this.row(i).take(row);
+      touched.add(i);
     }
     this.#rows.forEach((row, i) => {
       if (!touched.has(i)) row.calm();

@@ -104,6 +104,7 @@ export interface Signal {
   /** Who sets an input. */
   driven: 'plant' | 'user';
   /** How a person sets it. */
+  about?: string;
   handle?: 'push' | 'push-nc' | 'switch' | 'switch-nc';
 }
 
@@ -123,8 +124,9 @@ export interface WatchRow {
 
 export interface Info {
   cpu: string;
-  work_memory: number;
-  work_used: number;
+  work_memory?: number;
+  work_used?: number;
+  data_bytes?: number;
   local_data: number;
   servers: { name: string; address: string }[];
   connections: number;

@@ -11,11 +11,14 @@ function verb(change: Change): string {
   const from = Number(change.from.replace(/^\D*#/, ''));
   const to = Number(change.to.replace(/^\D*#/, ''));
   if (/^[CZ] /.test(change.address) && Math.abs(to - from) === 1) return t('counted', to < from ? t('down') : t('up'), from, to);
-  return t('became', change.to);
+  return t('became', short(change.to));
 }
 
+/** Without what is said in brackets behind it. */
+export const short = (value: string): string => value.replace(/ \(.*\)$/, '');
+
 /** What comes from outside first, then counters, then what else the program wrote. */
-const order = (change: Change): number => (change.by === undefined ? 0 : /^C /.test(change.address) ? 1 : 2);
+const order = (change: Change): number => (/^P?I/.test(change.address) ? 0 : /^C /.test(change.address) ? 1 : 2);
 
 /** The sentence about the newest changes up to a scan. */
 export function sentence(changes: Change[], scan: number): Part[] {

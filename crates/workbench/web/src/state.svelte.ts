@@ -223,7 +223,7 @@ class Page {
       const [blocks, symbols, heads] = await Promise.all([rest.blocks(), rest.symbols(), rest.plants()]);
       this.blocks = blocks;
       this.symbols = symbols;
-      this.heads = heads;
+      this.heads = heads.map(withHandles);
       this.revision += 1;
     } catch (error) {
       this.fail(error);
@@ -369,6 +369,16 @@ class Page {
 }
 
 export const page = new Page();
+
+/** What is a button is pressed, not switched. */
+function withHandles(head: PlantHead): PlantHead {
+  const signals = head.signals.map((signal) => {
+    if (!/button/i.test(signal.about ?? '')) return signal;
+    if (signal.handle === 'switch') return { ...signal, handle: 'push' as const };
+    return signal.handle === 'switch-nc' ? { ...signal, handle: 'push-nc' as const } : signal;
+  });
+  return { ...head, signals };
+}
 
 /** One statement of one scan; its fields change, it stays. */
 export class RowState {

@@ -101,7 +101,8 @@ export interface Force {
 
 /** What a page can have sent to it; each gives its snapshot at once, and again after `at`. */
 export type Subscription =
-  /** Statements `from` to `to` of a block, counted from 0, both included; `reason`: the one whose reason is wanted. */
+  /** Statements `from` to `to` of a block, counted from 0, both included; `reason`: the one whose reason is wanted.
+   *  What changed comes by the number of the statement in its block. */
   | { what: 'rows'; block: string; instance?: string; from: number; to: number; reason?: number }
   /** Power flow in the diagrams of these networks. */
   | { what: 'flow'; block: string; instance?: string; view: 'lad' | 'fbd'; networks: number[] }

@@ -121,6 +121,14 @@ const WORDS = {
   comma: [', ', ', '],
   andMore: [' and {0} more', ' und {0} weitere'],
   // plants
+  kind_conveyor: ['Conveyor', 'Förderband'],
+  kind_dosing: ['Dosing plant', 'Dosieranlage'],
+  kind_elevator: ['Elevator', 'Aufzug'],
+  kind_junction: ['Junction', 'Kreuzung'],
+  kind_motor: ['Motor', 'Motor'],
+  kind_tank: ['Tank', 'Behälter'],
+  kind_thermal: ['Heater', 'Heizung'],
+  kind_panel: ['Training panel', 'Schaltbrett'],
   supply: ['Supply', 'Vorrat'],
   valve: ['valve', 'Ventil'],
   open: ['open', 'offen'],
@@ -351,6 +359,11 @@ export function seconds(us: number): string {
 
 export function milliseconds(us: number): string {
   return us < 1000 ? `${Math.round(us)} µs` : `${(us / 1000).toLocaleString(speech.lang === 'de' ? 'de-DE' : 'en-GB', { minimumFractionDigits: us < 100_000 ? 1 : 0, maximumFractionDigits: us < 100_000 ? 1 : 0 })} ms`;
+}
+
+/** A word that may not be there. */
+export function maybe(word: string, otherwise: string): string {
+  return word in WORDS ? t(word as Word) : otherwise;
 }
 
 /** Pairs of words, for the test that compares the languages. */
