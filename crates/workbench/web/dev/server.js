@@ -167,7 +167,7 @@ function take(page, message) {
       page.lang = message.lang;
       if (!page.ready) {
         page.ready = true;
-        page.socket.send(JSON.stringify({ t: 'welcome', v: 1, cpu: '315-2PN/DP', project: machine.project, program: machine.hash, role: role(), oldest: machine.first, newest: machine.newest, cycle_us: CYCLE_US, mnemonics: machine.recorded.german ? 'de' : 'en', examples: EXAMPLES }));
+        page.socket.send(JSON.stringify({ t: 'welcome', v: 1, cpu: '315-2PN/DP', project: machine.project, program: machine.hash, role: role(), oldest: machine.first, newest: machine.newest, cycle_us: CYCLE_US, mnemonics: machine.recorded.german ? 'de' : 'en', examples: EXAMPLES, offers: process.env.PLAIN ? [] : ['flow', 'step'] }));
       }
       break;
     case 'sub':

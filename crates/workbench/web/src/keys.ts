@@ -81,7 +81,7 @@ export function press(event: KeyboardEvent): void {
   const typing = target.matches('input:not([type=checkbox]), textarea, select, [contenteditable]');
   const name = `${event.ctrlKey || event.metaKey ? 'Ctrl ' : ''}${event.shiftKey && event.key.length > 1 ? 'Shift ' : ''}${event.ctrlKey ? event.key.toLowerCase().replace(/^f9$/, 'F9') : event.key}`;
   if (typing && !name.startsWith('Ctrl ') && !/^(Shift )?F\d/.test(name)) return;
-  if (name === ' ' && target.matches('button, a, [role=button], [role=switch], [role=tab], input, tr[tabindex]')) return;
+  if (name === ' ' && target.matches('button, a, [role=button], [role=switch], [role=tab], input')) return;
   if (event.altKey) return;
   const wanted = performance.now() - prefix < 1500 ? `g ${event.key}` : name;
   if (name === 'g') {

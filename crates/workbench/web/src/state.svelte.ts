@@ -31,6 +31,11 @@ class Page {
   role = $state<'program' | 'view'>('program');
   cycleUs = $state(10_000);
   examples = $state<string[]>([]);
+  offers = $state.raw<string[]>([]);
+  /** Steps statements where the server does not; set by the block that is shown. */
+  stepper: ((unit: Unit, n: 1 | -1) => void) | null = null;
+  /** The scan whose statements the page itself steps through. */
+  stepped = -1;
   /** Grows when what REST gives has to be asked for anew. */
   revision = $state(0);
 
@@ -179,13 +184,15 @@ class Page {
     this.role = message.role;
     this.cycleUs = message.cycle_us;
     this.examples = message.examples ?? [];
+    this.offers = message.offers ?? [];
+    this.stepped = -1;
     this.oldest = message.oldest;
     this.newest = message.newest;
     this.following = true;
     this.pos = undefined;
     if (localStorage.getItem('mnemonics') === null) this.mnemonics = message.mnemonics;
     this.programHash = message.program;
-    for (const [id, entry] of this.#handlers) this.#send({ t: 'sub', id, ...entry.subscription });
+    for (const [id, entry] of this.#handlers) this.#subscribe(id, entry.subscription);
     this.#tagsNow();
     if (known !== message.program || this.blocks.length === 0) this.#load();
   }
@@ -204,7 +211,7 @@ class Page {
     this.why = message.why ?? '';
     const reason = message.pos?.reason;
     if (reason !== undefined && reason !== this.pos?.reason) this.announce(reason);
-    if (message.pos !== undefined || this.pos !== undefined) this.pos = message.pos;
+    if (this.stepped !== message.n && (message.pos !== undefined || this.pos !== undefined)) this.pos = message.pos;
     if (mode !== message.mode) {
       this.announce(message.mode.toUpperCase());
       if (message.mode === 'stop') this.stopScan = message.n;
@@ -233,11 +240,16 @@ class Page {
   /** What is subscribed comes now and after each connection; ends with the function that it gives. */
   subscribe(id: string, subscription: Subscription, handler: Handler): () => void {
     this.#handlers.set(id, { subscription, handler });
-    if (this.link === 'up') this.#send({ t: 'sub', id, ...subscription });
+    if (this.link === 'up') this.#subscribe(id, subscription);
     return () => {
       this.#handlers.delete(id);
       this.#send({ t: 'unsub', id });
     };
+  }
+
+  #subscribe(id: string, subscription: Subscription): void {
+    if (subscription.what === 'flow' && !this.offers.includes('flow')) return;
+    this.#send({ t: 'sub', id, ...subscription });
   }
 
   id(prefix: string): string {
@@ -292,12 +304,19 @@ class Page {
   }
 
   // time
-  goTo(scan: number | 'live'): void {
+  goTo(scan: number | 'live', stepping = false): void {
+    if (!stepping && this.stepped >= 0) {
+      this.stepped = -1;
+      this.pos = undefined;
+    }
     this.#send({ t: 'at', scan: scan === 'live' ? 'live' : Math.max(this.oldest, Math.min(this.newest, Math.round(scan))) });
   }
 
   step(unit: Unit, n: 1 | -1): void {
-    this.#send({ t: 'at', step: unit, n });
+    if (unit === 'scan' || this.offers.includes('step')) {
+      this.stepped = -1;
+      this.#send({ t: 'at', step: unit, n });
+    } else this.stepper?.(unit, n);
   }
 
   async pause(): Promise<void> {

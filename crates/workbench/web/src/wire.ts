@@ -151,6 +151,8 @@ export interface Welcome {
   mnemonics: Language;
   /** Examples that this page may change to. */
   examples?: string[];
+  /** What not every server has: `flow` as a subscription, `step` by statements and networks. Without it the page does without. */
+  offers?: ('flow' | 'step')[];
 }
 
 export interface Scan {

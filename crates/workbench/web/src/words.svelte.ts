@@ -348,8 +348,8 @@ export function t(word: Word, ...parts: (string | number)[]): string {
 }
 
 /** 1,234 or 1.234. */
-export function count(n: number): string {
-  return n.toLocaleString(speech.lang === 'de' ? 'de-DE' : 'en-GB');
+export function count(n: number | undefined): string {
+  return n === undefined ? '–' : n.toLocaleString(speech.lang === 'de' ? 'de-DE' : 'en-GB');
 }
 
 /** Seconds of microseconds, two decimals. */

@@ -1,5 +1,5 @@
 /** The watch table: rows of a `*.watch` file and those that were added on this page. */
-import { rest, type WatchRow } from '../rest';
+import { Problem, rest, type WatchRow } from '../rest';
 import { page } from '../state.svelte';
 
 export interface Line extends WatchRow {
@@ -33,6 +33,15 @@ const line = (row: WatchRow, i: number): Line => {
   return { ...row, format: row.format || usualFormat(type, address), address, symbol, key: `${i} ${row.name}` };
 };
 
+/** A server without watch tables has none. */
+function missing(error: unknown): string[] {
+  if (error instanceof Problem && error.status === 404) return [];
+  throw error;
+}
+
+/** Without a table: what the project calls by name. */
+const usual = (): WatchRow[] => page.symbols.filter((one) => /^([IQMTC]|[IQM][BWD]) /.test(one.address)).slice(0, 40).map((one) => ({ name: one.symbol, format: '', comment: one.comment }));
+
 class Watch {
   file = $state('');
   files = $state.raw<string[]>([]);
@@ -42,9 +51,9 @@ class Watch {
 
   async open(wanted: string): Promise<void> {
     try {
-      this.files = await rest.watches();
+      this.files = await rest.watches().catch(missing);
       const file = this.files.includes(wanted) || wanted.endsWith('.watch') ? wanted : (this.files[0] ?? '');
-      const rows = file === '' ? [] : await rest.watch(file);
+      const rows = file === '' ? usual() : await rest.watch(file);
       this.file = file;
       const added = (JSON.parse(localStorage.getItem('watch-added') ?? '[]') as string[]).map((name) => ({ name, format: '', comment: '' }));
       this.lines = [...rows, ...added].map(line);
