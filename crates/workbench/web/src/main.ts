@@ -5,7 +5,6 @@ import './style/base.css';
 import './style/shell.css';
 import './style/panels.css';
 import './style/program.css';
-import './style/views.css';
 import './style/small.css';
 import App from './App.svelte';
 import { route } from './route.svelte';

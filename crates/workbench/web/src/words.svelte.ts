@@ -88,7 +88,7 @@ const WORDS = {
   rackHint: ['click = input', 'Klick = Eingang'],
   driven: ['driven by the plant', 'von der Anlage'],
   free: ['free', 'frei'],
-  press: ['press', 'drücken'],
+  press: ['press', 'Taste'],
   pressOf: ['Press {0}', '{0} drücken'],
   normallyClosed: ['normally closed: 1 while not pressed', 'Öffner: 1, solange nicht gedrückt'],
   language: ['Language of the view', 'Darstellung'],

@@ -1,5 +1,7 @@
 // Checks of the contract that need the page and the development server alone; numbers are those of the contract.
+import { spawn, type ChildProcess } from 'node:child_process';
 import { readFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
 import { expect, test, type Page } from '@playwright/test';
 import { TABLE } from './words';
 
@@ -169,6 +171,47 @@ test('31, 32: STOP and RUN', async ({ page }) => {
   await expect(id(page, 'state-message')).toContainText('The CPU is in STOP');
   await id(page, 'mode-run').click();
   await expect(id(page, 'connection')).toHaveText('Live');
+});
+
+test('33: the server goes away and comes back', async ({ page }) => {
+  const port = '7312';
+  const start = async (): Promise<ChildProcess> => {
+    const child = spawn('node', [fileURLToPath(new URL('../dev/server.js', import.meta.url))], { env: { ...process.env, PORT: port } });
+    await new Promise((done) => child.stdout.once('data', done));
+    return child;
+  };
+  let server = await start();
+  try {
+    await page.goto(`http://127.0.0.1:${port}/#watch`);
+    await expect(id(page, 'connection')).toHaveText('Live');
+    await id(page, 'watch-new-C0').fill('12');
+    server.kill('SIGKILL');
+    await expect(id(page, 'connection')).toHaveText('Offline', { timeout: 3000 });
+    await expect(id(page, 'state-message')).toContainText(/These are the values of scan [\d,]+/);
+    for (const control of ['watch-modify', 'force-add', 'mode-stop', 'pause', 'watch-tick-C0']) await expect(id(page, control)).toBeDisabled();
+    server = await start();
+    await expect(id(page, 'connection')).toHaveText('Live', { timeout: 16_000 });
+    await expect(id(page, 'watch-new-C0')).toHaveValue('12');
+  } finally {
+    server.kill('SIGKILL');
+  }
+});
+
+test('79: who may only look finds nothing to write with', async ({ page }) => {
+  const child = spawn('node', [fileURLToPath(new URL('../dev/server.js', import.meta.url))], { env: { ...process.env, PORT: '7313', ROLE: 'view' } });
+  try {
+    await new Promise((done) => child.stdout.once('data', done));
+    await page.goto('http://127.0.0.1:7313/');
+    await expect(page.locator('body')).toHaveAttribute('data-state', 'readonly');
+    await expect(id(page, 'connection')).toHaveText('View only');
+    for (const control of ['mode-run', 'mode-stop', 'mode-mres', 'speed', 'plant-fault']) await expect(id(page, control)).toBeDisabled();
+    await expect(id(page, 'in-0.1').getByRole('switch')).toBeDisabled();
+    await expect(id(page, 'plant-start')).toHaveAttribute('aria-disabled', 'true');
+    const answer = await page.request.patch('http://127.0.0.1:7313/api/v1/tags', { data: { 'I 0.0': true } });
+    expect(answer.status()).toBe(403);
+  } finally {
+    child.kill('SIGKILL');
+  }
 });
 
 test('36–39, 43: diagrams with power flow', async ({ page, request }) => {
