@@ -1,0 +1,455 @@
+/** The one model of the page: it shows one scan; everything that is drawn is read from here. */
+import { SvelteMap } from 'svelte/reactivity';
+import { rest, takeToken, speak, Problem, type BlockHead, type PlantHead, type SymbolRow } from './rest';
+import { chooseLanguage, speech, t } from './words.svelte';
+import { Wire, type Change, type Client, type Cycle, type DiagnosticEvent, type Force, type FromServer, type History, type Language, type Leds, type Mode, type PlantLook, type Row, type Scan, type Subscription, type Unit, type Value, type Welcome, type Who } from './wire';
+
+export type State = 'run' | 'paused' | 'stepping' | 'past' | 'stop' | 'startup' | 'offline' | 'readonly';
+type Handler = (data: unknown, scan: Scan) => void;
+
+/** How many changes the page keeps. */
+const CHANGES = 200;
+
+export interface Selected {
+  block: string;
+  index: number;
+  line: number;
+  network: number;
+  op: string;
+  operand: string;
+  symbol: string;
+  address: string;
+}
+
+class Page {
+  link = $state<'connecting' | 'up' | 'down'>('connecting');
+  lostAt = $state(0);
+  clock = $state(0);
+  project = $state('');
+  cpu = $state('');
+  programHash = $state('');
+  role = $state<'program' | 'view'>('program');
+  cycleUs = $state(10_000);
+  examples = $state<string[]>([]);
+  offers = $state.raw<string[]>([]);
+  /** Steps statements where the server does not; set by the block that is shown. */
+  stepper: ((unit: Unit, n: 1 | -1) => void) | null = null;
+  /** The scan whose statements the page itself steps through. */
+  stepped = -1;
+  /** Grows when what REST gives has to be asked for anew. */
+  revision = $state(0);
+
+  n = $state(0);
+  us = $state(0);
+  oldest = $state(0);
+  newest = $state(0);
+  newestUs = $state(0);
+  mode = $state<Mode>('run');
+  following = $state(true);
+  paused = $state(false);
+  speed = $state(1);
+  pos = $state.raw<Scan['pos']>(undefined);
+  why = $state('');
+  stopScan = $state(0);
+  shown = $state(false);
+
+  leds = $state<Leds>({ sf: 0, bf: 0, dc5v: 0, frce: 0, run: 0, stop: 0 });
+  cycle = $state<Cycle>({ last_us: 0, mean_us: 0, max_us: 0, program_us: 0, histogram: [] });
+  spark = $state.raw<number[]>([]);
+  plants = $state.raw<PlantLook[]>([]);
+  changes = $state.raw<Change[]>([]);
+  clients = $state.raw<Client[]>([]);
+  events = $state.raw<DiagnosticEvent[]>([]);
+  forces = $state.raw<Force[]>([]);
+  tags = new SvelteMap<string, Value>();
+
+  blocks = $state.raw<BlockHead[]>([]);
+  symbols = $state.raw<SymbolRow[]>([]);
+  heads = $state.raw<PlantHead[]>([]);
+
+  selected = $state.raw<Selected | null>(null);
+  mnemonics = $state<Language>('en');
+  unit = $state<Unit>('statement');
+  toast = $state('');
+  announcement = $state('');
+  /** What the page was asked to open: palette, keys, force dialog. */
+  dialog = $state<'' | 'palette' | 'keys' | 'force'>('');
+  forceWanted = $state('');
+  forceValue = $state('');
+
+  state: State = $derived.by(() => {
+    if (this.link === 'down') return 'offline';
+    if (!this.following) return this.pos !== undefined && this.n === this.newest ? 'stepping' : 'past';
+    if (this.pos !== undefined) return 'stepping';
+    if (this.mode === 'stop' || this.mode === 'defect') return 'stop';
+    if (this.mode === 'startup') return 'startup';
+    if (this.paused) return 'paused';
+    return this.role === 'view' ? 'readonly' : 'run';
+  });
+  /** Why nothing can be written; empty where it can. */
+  locked: string = $derived.by(() => {
+    if (this.link !== 'up') return t('offOffline');
+    if (this.role === 'view') return t('offView');
+    if (this.state === 'past') return t('offPast');
+    if (this.state === 'startup') return t('offStartup');
+    return '';
+  });
+  offlineFor: number = $derived(this.lostAt === 0 ? 0 : Math.max(0, Math.round((this.clock - this.lostAt) / 1000)));
+
+  #wire: Wire | null = null;
+  #handlers = new Map<string, { subscription: Subscription; handler: Handler }>();
+  #questions = new Map<string, (answer: FromServer) => void>();
+  #tagCounts = new Map<string, number>();
+  #tagTimer = false;
+  #next = 0;
+
+  start(): void {
+    speak(chooseLanguage());
+    this.mnemonics = (localStorage.getItem('mnemonics') as Language | null) ?? 'en';
+    const token = takeToken();
+    const url = new URL('/ws', location.href);
+    url.protocol = url.protocol === 'https:' ? 'wss:' : 'ws:';
+    if (token !== '') url.searchParams.set('token', token);
+    this.subscribe('leds', { what: 'leds' }, (data) => Object.assign(this.leds, data));
+    this.subscribe('plant', { what: 'plant' }, (data) => (this.plants = data as PlantLook[]));
+    this.subscribe('changes', { what: 'changes' }, (data) => {
+      this.changes = Array.isArray(data) ? (data as Change[]) : [...(data as { add: Change[] }).add, ...this.changes].slice(0, CHANGES);
+    });
+    this.subscribe('forces', { what: 'forces' }, (data) => (this.forces = data as Force[]));
+    this.subscribe('cycle', { what: 'cycle' }, (data) => {
+      Object.assign(this.cycle, data);
+      this.spark = [...this.spark, this.cycle.last_us].slice(-24);
+    });
+    this.#wire = new Wire(url.toString(), {
+      opened: () => this.#send({ t: 'hello', v: 1, lang: speech.lang, mnemonics: this.mnemonics }),
+      message: (message) => this.#take(message),
+      closed: () => {
+        if (this.link !== 'down') {
+          this.lostAt = performance.now();
+          this.clock = this.lostAt;
+          this.announce(t('connOffline'));
+        }
+        this.link = 'down';
+      },
+    });
+    this.#wire.connect();
+    setInterval(() => {
+      if (this.link === 'down') this.clock = performance.now();
+    }, 500);
+    addEventListener('pagehide', () => this.#wire?.end());
+  }
+
+  retry(): void {
+    this.#wire?.retry();
+  }
+
+  #send(message: Parameters<Wire['send']>[0]): void {
+    this.#wire?.send(message);
+  }
+
+  #take(message: FromServer): void {
+    switch (message.t) {
+      case 'welcome':
+        this.#welcome(message);
+        break;
+      case 'scan':
+        this.#scan(message);
+        break;
+      case 'history':
+      case 'who':
+        this.#questions.get(message.id)?.(message);
+        this.#questions.delete(message.id);
+        break;
+      case 'program':
+        this.programHash = message.hash;
+        if (message.project !== undefined) this.project = message.project;
+        this.selected = null;
+        this.changes = [];
+        this.#load();
+        break;
+      case 'event':
+        this.say(message.text);
+        break;
+      case 'bye':
+        break;
+    }
+  }
+
+  #welcome(message: Welcome): void {
+    const known = this.programHash;
+    this.link = 'up';
+    this.lostAt = 0;
+    this.project = message.project;
+    this.cpu = message.cpu;
+    this.role = message.role;
+    this.cycleUs = message.cycle_us;
+    this.examples = message.examples ?? [];
+    this.offers = message.offers ?? [];
+    this.stepped = -1;
+    this.oldest = message.oldest;
+    this.newest = message.newest;
+    this.following = true;
+    this.pos = undefined;
+    if (localStorage.getItem('mnemonics') === null) this.mnemonics = message.mnemonics;
+    this.programHash = message.program;
+    for (const [id, entry] of this.#handlers) this.#subscribe(id, entry.subscription);
+    this.#tagsNow();
+    if (known !== message.program || this.blocks.length === 0) this.#load();
+  }
+
+  #scan(message: Scan): void {
+    const mode = this.mode;
+    this.n = message.n;
+    this.us = message.t_us;
+    this.mode = message.mode;
+    this.oldest = message.oldest;
+    this.newest = message.newest;
+    this.newestUs = message.newest_us;
+    this.following = message.live;
+    this.paused = message.paused;
+    this.speed = message.speed;
+    this.why = message.why ?? '';
+    const reason = message.pos?.reason;
+    if (reason !== undefined && reason !== this.pos?.reason) this.announce(reason);
+    if (this.stepped !== message.n && (message.pos !== undefined || this.pos !== undefined)) this.pos = message.pos;
+    if (mode !== message.mode) {
+      this.announce(message.mode.toUpperCase());
+      if (message.mode === 'stop') this.stopScan = message.n;
+    }
+    for (const [id, data] of Object.entries(message.s)) {
+      const entry = this.#handlers.get(id);
+      if (entry !== undefined) entry.handler(data, message);
+      else if (id === 'tags') for (const [name, value] of Object.entries(data as Record<string, Value>)) this.tags.set(name, value);
+    }
+    for (const [id, entry] of this.#handlers) if (entry.subscription.what === 'rows' && !(id in message.s)) entry.handler({}, message);
+    this.shown = true;
+  }
+
+  async #load(): Promise<void> {
+    try {
+      const [blocks, symbols, heads] = await Promise.all([rest.blocks(), rest.symbols(), rest.plants()]);
+      this.blocks = blocks;
+      this.symbols = symbols;
+      this.heads = heads.map(withHandles);
+      this.revision += 1;
+    } catch (error) {
+      this.fail(error);
+    }
+  }
+
+  /** What is subscribed comes now and after each connection; ends with the function that it gives. */
+  subscribe(id: string, subscription: Subscription, handler: Handler): () => void {
+    this.#handlers.set(id, { subscription, handler });
+    if (this.link === 'up') this.#subscribe(id, subscription);
+    return () => {
+      this.#handlers.delete(id);
+      this.#send({ t: 'unsub', id });
+    };
+  }
+
+  #subscribe(id: string, subscription: Subscription): void {
+    if (subscription.what === 'flow' && !this.offers.includes('flow')) return;
+    this.#send({ t: 'sub', id, ...subscription });
+  }
+
+  id(prefix: string): string {
+    this.#next += 1;
+    return `${prefix}${this.#next}`;
+  }
+
+  /** Values by name, as long as somebody reads them. */
+  watch(names: string[]): () => void {
+    for (const name of names) this.#tagCounts.set(name, (this.#tagCounts.get(name) ?? 0) + 1);
+    this.#tagsSoon();
+    return () => {
+      for (const name of names) {
+        const left = (this.#tagCounts.get(name) ?? 1) - 1;
+        if (left > 0) this.#tagCounts.set(name, left);
+        else this.#tagCounts.delete(name);
+      }
+      this.#tagsSoon();
+    };
+  }
+
+  #tagsSoon(): void {
+    if (this.#tagTimer) return;
+    this.#tagTimer = true;
+    queueMicrotask(() => {
+      this.#tagTimer = false;
+      this.#tagsNow();
+    });
+  }
+
+  #tagsNow(): void {
+    if (this.link !== 'up') return;
+    const names = [...this.#tagCounts.keys()];
+    if (names.length === 0) this.#send({ t: 'unsub', id: 'tags' });
+    else this.#send({ t: 'sub', id: 'tags', what: 'tags', names });
+  }
+
+  history(from: number, to: number, channels: string[], points: number): Promise<History> {
+    const id = this.id('h');
+    return new Promise((resolve) => {
+      this.#questions.set(id, (answer) => resolve(answer as History));
+      this.#send({ t: 'history', id, from, to, channels, points });
+    });
+  }
+
+  who(name: string): Promise<Who> {
+    const id = this.id('w');
+    return new Promise((resolve) => {
+      this.#questions.set(id, (answer) => resolve(answer as Who));
+      this.#send({ t: 'who', id, name, scan: this.n });
+    });
+  }
+
+  // time
+  goTo(scan: number | 'live', stepping = false): void {
+    if (!stepping && this.stepped >= 0) {
+      this.stepped = -1;
+      this.pos = undefined;
+    }
+    this.#send({ t: 'at', scan: scan === 'live' ? 'live' : Math.max(this.oldest, Math.min(this.newest, Math.round(scan))) });
+  }
+
+  step(unit: Unit, n: 1 | -1): void {
+    if (unit === 'scan' || this.offers.includes('step')) {
+      this.stepped = -1;
+      this.#send({ t: 'at', step: unit, n });
+    } else this.stepper?.(unit, n);
+  }
+
+  async pause(): Promise<void> {
+    const goesOn = this.paused || !this.following || this.pos !== undefined;
+    if (goesOn) this.goTo('live');
+    if (this.role === 'view' || (goesOn && !this.paused)) return;
+    await this.do(rest.time(goesOn ? { go: true } : { pause: true }));
+  }
+
+  async set(name: string, value: boolean | number | string): Promise<void> {
+    if (this.locked !== '') return;
+    await this.do(rest.set({ [name]: value }));
+  }
+
+  async setMode(mode: 'run' | 'stop' | 'mres'): Promise<void> {
+    await this.do(rest.mode({ mode }));
+  }
+
+  async do(work: Promise<unknown>): Promise<boolean> {
+    try {
+      await work;
+      return true;
+    } catch (error) {
+      this.fail(error);
+      return false;
+    }
+  }
+
+  fail(error: unknown): void {
+    if (error instanceof Problem && error.status === 0) return;
+    const text = error instanceof Error ? error.message : String(error);
+    const code = error instanceof Problem && error.code !== '' ? ` (${error.code})` : '';
+    this.say(t('notSaved', text) + code);
+  }
+
+  #toastTimer: ReturnType<typeof setTimeout> | undefined;
+  /** A short word about what was just done; what lasts stands in the strip. */
+  say(text: string): void {
+    this.toast = text;
+    this.announce(text);
+    clearTimeout(this.#toastTimer);
+    this.#toastTimer = setTimeout(() => (this.toast = ''), 5000);
+  }
+
+  #announced = 0;
+  announce(text: string): void {
+    const now = performance.now();
+    clearTimeout(this.#announceTimer);
+    const say = () => {
+      this.#announced = performance.now();
+      this.announcement = text;
+    };
+    if (now - this.#announced > 3000) say();
+    else this.#announceTimer = setTimeout(say, 3000 - (now - this.#announced));
+  }
+  #announceTimer: ReturnType<typeof setTimeout> | undefined;
+
+  setMnemonics(to: Language): void {
+    this.mnemonics = to;
+    localStorage.setItem('mnemonics', to);
+    this.#send({ t: 'hello', v: 1, lang: speech.lang, mnemonics: to });
+    this.#load();
+  }
+
+  /** The symbol or the address of an address. */
+  nameOf(address: string): string {
+    return this.symbols.find((s) => s.address === address)?.symbol ?? address;
+  }
+}
+
+export const page = new Page();
+
+/** What is a button is pressed, not switched. */
+function withHandles(head: PlantHead): PlantHead {
+  const signals = head.signals.map((signal) => {
+    if (!/button/i.test(signal.about ?? '')) return signal;
+    if (signal.handle === 'switch') return { ...signal, handle: 'push' as const };
+    return signal.handle === 'switch-nc' ? { ...signal, handle: 'push-nc' as const } : signal;
+  });
+  return { ...head, signals };
+}
+
+/** One statement of one scan; its fields change, it stays. */
+export class RowState {
+  executed = $state<0 | 1 | 2>(0);
+  stw = $state(0);
+  accu1 = $state(0);
+  accu2 = $state(0);
+  reason = $state('');
+  known = $state(false);
+  changedBit = $state(false);
+  changedAccu = $state(false);
+
+  take(row: Row): void {
+    const [, executed, stw, accu1, accu2, reason] = row;
+    this.changedBit = this.known && executed === 1 && ((this.stw ^ stw) & 4) !== 0;
+    this.changedAccu = this.known && executed === 1 && this.accu1 !== accu1;
+    this.executed = executed;
+    this.stw = stw;
+    this.accu1 = accu1;
+    this.accu2 = accu2;
+    this.reason = reason ?? '';
+    this.known = true;
+  }
+
+  calm(): void {
+    if (this.changedBit) this.changedBit = false;
+    if (this.changedAccu) this.changedAccu = false;
+  }
+}
+
+/** Bits of the status word on the wire. */
+export const STW = { FC: 1, RLO: 2, STA: 4, OR: 8, OS: 16, OV: 32, CC0: 64, CC1: 128, BR: 256 } as const;
+export const bit = (stw: number, mask: number): 0 | 1 => ((stw & mask) !== 0 ? 1 : 0);
+
+/** The rows of a block, in place. */
+export class Rows {
+  list: RowState[];
+  constructor(size: number) {
+    this.list = Array.from({ length: size }, () => new RowState());
+  }
+  take(data: Row[] | Record<string, Row>): void {
+    const touched = new Set<number>();
+    if (Array.isArray(data)) data.forEach((row, i) => this.#one(i, row, touched));
+    else for (const [i, row] of Object.entries(data)) this.#one(Number(i), row, touched);
+    this.list.forEach((row, i) => {
+      if (!touched.has(i)) row.calm();
+    });
+  }
+  #one(i: number, row: Row, touched: Set<number>): void {
+    const state = this.list[i];
+    if (state === undefined) return;
+    state.take(row);
+    touched.add(i);
+  }
+}
