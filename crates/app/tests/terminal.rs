@@ -421,7 +421,8 @@ fn a_terminal_that_changes_its_size_is_drawn_anew() {
 fn without_a_screen_a_run_prints_lines_where_it_is_asked_to() {
     let program = "ORGANIZATION_BLOCK OB 1\nBEGIN\nAN M 0.0\n= Q 4.0\nEND_ORGANIZATION_BLOCK\n";
     let folder = Folder::with(&[("main.awl", program)]);
-    let line = "scan 1 (0.00 s): Q 4.0 0→1";
+    // When its first scan comes is a matter of the computer in real time.
+    let (begins, ends) = ("scan 1 (", " s): Q 4.0 0→1");
     let on_terminal = |arguments: &[&str], term: &str| {
         let (window, inside) = terminal();
         let run = start_as(&folder, arguments, inside, term);
@@ -432,14 +433,15 @@ fn without_a_screen_a_run_prints_lines_where_it_is_asked_to() {
         [(&["run", "--plain", "--for", "1s"][..], "xterm"), (&["run", "--for", "1s"], "dumb"), (&["run", "--for", "1s"], "")]
     {
         let printed = on_terminal(arguments, term);
-        assert!(printed.contains(line) && printed.contains("RUN: ran for 1.0 s") && !printed.contains("\u{1b}[?1049h"), "{printed:?}");
+        let line = printed.lines().any(|line| line.starts_with(begins) && line.trim_end().ends_with(ends));
+        assert!(line && printed.contains("RUN: ran for 1.0 s") && !printed.contains("\u{1b}[?1049h"), "{printed:?}");
     }
     // Programs read what they always have, unless they ask for the lines.
     for (more, lines) in [(None, 0), (Some("--plain"), 1)] {
         let arguments: Vec<&str> = ["run", "--for", "1s", "--speed", "max"].into_iter().chain(more).collect();
         let output = sieben(folder.path(), &arguments).output().expect("sieben runs");
         let text = String::from_utf8(output.stdout).expect("UTF-8");
-        assert_eq!(text.matches(line).count(), lines, "{text}");
+        assert_eq!(text.matches(&format!("{begins}0.00{ends}")).count(), lines, "{text}");
         assert!(text.ends_with(" scans, cycle 10 ms (min 10 ms, max 10 ms)\n"), "{text}");
     }
     let both = sieben(folder.path(), &["run", "--plain", "--json"]).output().expect("sieben runs");

@@ -27,7 +27,7 @@ const NAMES_MAX: usize = 200;
   sieben top pump --json             one look, for programs\n  \
   sieben top demo                    the demo\n\n\
 The run is one that `sieben run` with the same PATH, or `sieben demo`, has started in another terminal.\n\
-Keys: r run, s stop, p pause, g go on, n one scan, + and - speed, q quit.\n\
+It has the screen of `sieben run`; ? shows its keys, q leaves and lets the run go on.\n\
 Exit codes: 0 ok, 2 usage, or nothing runs.")]
 pub(crate) struct Arguments {
     /// Source files, symbol tables, or a project folder, as `run` was given them, or `demo` [default: this folder]

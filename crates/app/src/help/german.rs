@@ -508,15 +508,16 @@ pub(super) const BELOW: &[Row] = &[
         "S7 clients reach it at 127.0.0.1:1102, or at the next free port",
         "S7-Clients erreichen sie unter 127.0.0.1:1102 oder dem nächsten freien Port",
     ),
-    ("the project in this folder, until Ctrl-C", "das Projekt in diesem Ordner, bis Strg-C"),
+    ("the project in this folder, on a screen, until q", "das Projekt in diesem Ordner, mit Bildschirm, bis q"),
+    ("one line for each change", "eine Zeile je Änderung"),
     ("ten seconds, then exit 0", "zehn Sekunden, dann Exitcode 0"),
     ("an hour of virtual time, at full speed", "eine Stunde virtueller Zeit, so schnell es geht"),
     ("with all values as the program declares them", "mit allen Werten, wie das Programm sie deklariert"),
     ("changed sources take over while it runs", "geänderte Quellen werden im Lauf übernommen"),
     ("S7 clients of this computer reach it at 127.0.0.1:1102", "S7-Clients dieses Rechners erreichen es unter 127.0.0.1:1102"),
     (
-        "With a server the run stays up while the CPU is in STOP, except with --for. Ctrl-C stops cleanly; a second Ctrl-C stops at once. Retentive data of a project survives both, and a kill. Exit codes: 0 ok, 1 a statement failed (--strict), 2 usage, 3 does not compile, 4 the CPU went to STOP.",
-        "Mit einem Server läuft der Prozess weiter, während die CPU in STOP ist, außer mit --for.\nStrg-C hält geordnet an; ein zweites Strg-C sofort. Remanente Daten eines Projekts überstehen beides, auch einen Abbruch (kill).\nExitcodes: 0 in Ordnung, 1 eine Anweisung schlug fehl (--strict), 2 Aufruf, 3 nicht übersetzbar, 4 die CPU ging in STOP.",
+        "On a terminal the run has a screen: inputs to switch, outputs, the program, faults; ? shows its keys. With a server the run stays up while the CPU is in STOP, except with --for. Ctrl-C stops cleanly; a second Ctrl-C stops at once. Retentive data of a project survives both, and a kill. Exit codes: 0 ok, 1 a statement failed (--strict), 2 usage, 3 does not compile, 4 the CPU went to STOP.",
+        "Auf einem Terminal hat der Lauf einen Bildschirm: Eingänge zum Schalten, Ausgänge, das Programm, Fehler; ? zeigt seine Tasten.\nMit einem Server läuft der Prozess weiter, während die CPU in STOP ist, außer mit --for.\nStrg-C hält geordnet an; ein zweites Strg-C sofort. Remanente Daten eines Projekts überstehen beides, auch einen Abbruch (kill).\nExitcodes: 0 in Ordnung, 1 eine Anweisung schlug fehl (--strict), 2 Aufruf, 3 nicht übersetzbar, 4 die CPU ging in STOP.",
     ),
     (
         "the servers of pump/sieben.toml; without any, S7 at 127.0.0.1:1102",
@@ -533,8 +534,8 @@ pub(super) const BELOW: &[Row] = &[
     ("one look, for programs", "eine Abfrage, für Programme"),
     ("the demo", "die Demo"),
     (
-        "The run is one that `sieben run` with the same PATH, or `sieben demo`, has started in another terminal. Keys: r run, s stop, p pause, g go on, n one scan, + and - speed, q quit. Exit codes: 0 ok, 2 usage, or nothing runs.",
-        "Der Lauf ist einer, den `sieben run` mit demselben PFAD oder `sieben demo` in einem anderen Terminal gestartet hat.\nTasten: r RUN, s STOP, p Pause, g weiter, n ein Zyklus, + und - Tempo, q Ende.\nExitcodes: 0 in Ordnung, 2 Aufruf, oder nichts läuft.",
+        "The run is one that `sieben run` with the same PATH, or `sieben demo`, has started in another terminal. It has the screen of `sieben run`; ? shows its keys, q leaves and lets the run go on. Exit codes: 0 ok, 2 usage, or nothing runs.",
+        "Der Lauf ist einer, den `sieben run` mit demselben PFAD oder `sieben demo` in einem anderen Terminal gestartet hat.\nDer Bildschirm ist der von `sieben run`; ? zeigt seine Tasten, q verlässt ihn, und der Lauf geht weiter.\nExitcodes: 0 in Ordnung, 2 Aufruf, oder nichts läuft.",
     ),
     // check, exec, step, bench
     ("the project in this folder", "das Projekt in diesem Ordner"),

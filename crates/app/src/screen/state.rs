@@ -162,8 +162,8 @@ pub(crate) struct Screen {
     pub(crate) language: Language,
     /// Names that the user wants to see beside the table.
     pub(crate) names: Vec<String>,
-    /// The chosen row.
-    pub(crate) row: usize,
+    /// The row that the user chose.
+    pub(crate) row: Option<usize>,
     pub(crate) part: Part,
     /// The plant that is drawn.
     pub(crate) plant: usize,
@@ -229,11 +229,11 @@ impl Screen {
         let time = |word: &str| json!({ "time": word });
         match command {
             Command::Quit => return Ok(Then::Leave),
-            Command::Up => self.row = self.row.saturating_sub(1),
-            Command::Down => self.row = (self.row + 1).min(look.rows.len().saturating_sub(1)),
+            Command::Up => self.row = Some(self.chosen(look).saturating_sub(1)),
+            Command::Down => self.row = Some((self.chosen(look) + 1).min(look.rows.len().saturating_sub(1))),
             Command::Left | Command::Right => self.change_group(command, look),
-            Command::Toggle => self.toggle(self.row, look, asks)?,
-            Command::Press => self.press(self.row, look, asks)?,
+            Command::Toggle => self.toggle(self.chosen(look), look, asks)?,
+            Command::Press => self.press(self.chosen(look), look, asks)?,
             Command::Digit(digit) => self.digit(digit, look, asks)?,
             Command::Set => self.ask_for_value(look),
             Command::Format => self.next_format(look),
@@ -272,15 +272,21 @@ impl Screen {
     }
 
     /// Goes to the first row of the group before or after.
+    /// The chosen row: at first the first input that no sensor drives.
+    pub(crate) fn chosen(&self, look: &Look) -> usize {
+        let is_operated = |row: &Row| row.group == Group::Inputs && row.driver == Driver::People;
+        self.row.or_else(|| look.rows.iter().position(is_operated)).unwrap_or_default()
+    }
+
     fn change_group(&mut self, command: Command, look: &Look) {
-        let Some(now) = look.rows.get(self.row).map(|row| row.group) else { return };
+        let Some(now) = look.rows.get(self.chosen(look)).map(|row| row.group) else { return };
         let at = Group::ALL.iter().position(|group| *group == now).unwrap_or_default();
         let there = |step: usize| {
             let group = Group::ALL[(at + step) % Group::ALL.len()];
             look.rows.iter().position(|row| row.group == group)
         };
         let steps = if command == Command::Right { [1, 2] } else { [2, 1] };
-        self.row = steps.into_iter().find_map(there).unwrap_or(self.row);
+        self.row = steps.into_iter().find_map(there).or(self.row);
     }
 
     /// The chosen row, if it can be operated.
@@ -343,14 +349,14 @@ impl Screen {
     }
 
     fn ask_for_value(&mut self, look: &Look) {
-        let row = self.row;
+        let row = self.chosen(look);
         if self.operable(row, look).is_some() {
             self.over = Over::Prompt { row, typed: String::new() };
         }
     }
 
     fn next_format(&mut self, look: &Look) {
-        let Some(row) = look.rows.get(self.row) else { return self.refuse(words::NOTHING_SELECTED, &[]) };
+        let Some(row) = look.rows.get(self.chosen(look)) else { return self.refuse(words::NOTHING_SELECTED, &[]) };
         let formats = row.formats();
         let now = self.formats.get(&row.item).and_then(|format| formats.iter().position(|other| other == format));
         // After the last one comes the value as people read it, without a format.
@@ -392,7 +398,7 @@ impl Screen {
         }
         // The mended ones come first, and the signal that is chosen.
         rows.sort_by_key(|(fault, _)| !fault.starts_with(MENDS));
-        let chosen = look.rows.get(self.row).map(|row| row.address.clone()).filter(|address| !address.is_empty());
+        let chosen = look.rows.get(self.chosen(look)).map(|row| row.address.clone()).filter(|address| !address.is_empty());
         let of_chosen =
             |shown: &str| chosen.as_ref().is_some_and(|address| shown.split("  ").any(|part| part.trim().starts_with(address.as_str())));
         let at = if rows.first().is_some_and(|(fault, _)| fault.starts_with(MENDS)) {

@@ -51,7 +51,7 @@ impl Scene<'_> {
     fn group(&self, frame: &mut Frame<'_>, area: Rect, group: Group, head: &str) {
         let all = self.rows_of(group);
         let room = usize::from(area.height.saturating_sub(2));
-        let chosen = all.iter().position(|&at| at == self.screen.row);
+        let chosen = all.iter().position(|&at| at == self.screen.chosen(self.look));
         // The chosen row is seen; otherwise the first ones.
         let first = chosen.map_or(0, |chosen| (chosen + 1).saturating_sub(room)).min(all.len().saturating_sub(room));
         let title = match all.len() {
@@ -75,7 +75,7 @@ impl Scene<'_> {
             (None, Driver::Plant(_)) => "~".to_owned(),
             (None, Driver::People) => " ".to_owned(),
         };
-        let is_chosen = at == self.screen.row;
+        let is_chosen = at == self.screen.chosen(self.look);
         let named = row.name != row.address && !row.address.is_empty();
         let address = if named { row.address.as_str() } else { "" };
         let lamp = match shown.on {

@@ -83,7 +83,7 @@ fn an_input_of_a_sensor_and_an_output_say_who_drives_them() {
 #[test]
 fn a_word_is_typed_in_any_notation_and_a_wrong_value_stays() {
     let mut played = Played::example("car-park");
-    played.screen.row = played.look.rows.iter().position(|row| row.name == "SetValue").expect("the word of the car park");
+    played.screen.row = played.look.rows.iter().position(|row| row.name == "SetValue");
     let typed = |played: &mut Played, text: &str| {
         text.chars().for_each(|character| press(played, KeyCode::Char(character), 1));
         played.key(Key::Plain(KeyCode::Enter));
@@ -102,13 +102,13 @@ fn a_word_is_typed_in_any_notation_and_a_wrong_value_stays() {
 #[test]
 fn formats_go_round() {
     let mut played = Played::example("tank");
-    played.screen.row = played.look.rows.iter().position(|row| row.name == "ScaleError").expect("a word");
-    let shown = |played: &Played| played.look.shown[played.screen.row].text.clone();
+    played.screen.row = played.look.rows.iter().position(|row| row.name == "ScaleError");
+    let shown = |played: &Played| played.look.shown[played.screen.chosen(&played.look)].text.clone();
     let first = shown(&played);
     assert_eq!(first, "16#0000 (0)");
     played.key(plain('x'));
     assert_eq!(shown(&played), "2#0000_0000_0000_0000");
-    let formats = played.look.rows[played.screen.row].formats().len();
+    let formats = played.look.rows[played.screen.chosen(&played.look)].formats().len();
     press(&mut played, KeyCode::Char('x'), formats);
     assert_eq!(shown(&played), first);
 }
