@@ -17,6 +17,7 @@ use sieben_workspace::session::Language;
 
 use super::draw;
 use super::look::Look;
+use super::rows::Group;
 use super::state::{Over, Part, Screen};
 use crate::palette::Palette;
 use play::Played;
@@ -153,6 +154,17 @@ fn with_symbols(rows: impl Iterator<Item = String>) -> Played {
     project.add_symbols(Path::new("s.csv"), table.as_bytes()).expect("a table");
     project.add_source(Path::new("a.awl"), b"ORGANIZATION_BLOCK OB 1\nBEGIN\n A I 0.0;\n = Q 0.0;\nEND_ORGANIZATION_BLOCK\n");
     Played::of(&project.compile(Overrides::default(), false))
+}
+
+#[test]
+fn many_inputs_leave_room_for_outputs_and_long_names_are_read() {
+    let name = "N".repeat(100);
+    let row = |area: char, at: usize| format!("{name}{area}{at},{area} {}.{},BOOL,\n", at / 8, at % 8);
+    let mut played = with_symbols((0..1_000).map(|at| row('I', at)).chain((0..1_000).map(|at| row('Q', at))));
+    played.ask("write", &json!({ "values": { "I0.0": 1 } }));
+    played.scan_and_look();
+    let first = |group| played.look.rows.iter().zip(&played.look.shown).find(|(row, _)| row.group == group).map(|(_, shown)| shown.on);
+    assert_eq!([Group::Inputs, Group::Outputs].map(first), [Some(Some(true)); 2]);
 }
 
 #[test]
