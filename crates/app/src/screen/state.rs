@@ -241,11 +241,14 @@ impl Screen {
             Command::Stop => drop(self.command(asks, "mode", &json!({ "mode": "stop" }))?),
             Command::MemoryReset => self.over = Over::MemoryReset,
             // The scan after which time stands still is the one whose status is shown.
-            Command::Pause if !look.is_paused() => drop(self.command(asks, "time", &time("step"))?),
+            Command::Pause if !Self::state_now(look, asks)?["paused"].as_bool().unwrap_or_default() => {
+                self.command(asks, "time", &time("step"))?;
+            }
             Command::Pause | Command::Go => drop(self.command(asks, "time", &time("go"))?),
             Command::OneScan => drop(self.command(asks, "time", &time("step"))?),
             Command::Faster | Command::Slower => {
-                let now = Speed::parse(look.word("speed")).unwrap_or(Speed::Factor(1.0));
+                let state = Self::state_now(look, asks)?;
+                let now = Speed::parse(state["speed"].as_str().unwrap_or_default()).unwrap_or(Speed::Factor(1.0));
                 let next = if command == Command::Faster { now.faster() } else { now.slower() };
                 // As fast as it goes is too fast for the demo, which makes up for every cycle.
                 if self.story.is_none() || next != Speed::Max {
@@ -262,6 +265,11 @@ impl Screen {
             Command::Help => self.over = Over::Help,
         }
         Ok(Then::On)
+    }
+
+    /// The state of the run now: several keys may have been pressed since the last look.
+    fn state_now(look: &Look, asks: &mut dyn Asks) -> io::Result<Value> {
+        Ok(asked(asks, "state", &json!({}))?.unwrap_or_else(|_| look.state.clone()))
     }
 
     fn switch_story(&mut self) {
