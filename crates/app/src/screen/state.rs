@@ -176,6 +176,8 @@ pub(crate) struct Screen {
     pub(crate) over: Over,
     pub(crate) said: Option<Said>,
     pub(crate) story: Option<Arc<Story>>,
+    /// The number of the newest note that was said.
+    pub(crate) newest_note: Option<u64>,
     /// What was switched lately, to what and in which scan: the process image only sees it with the next one.
     pub(crate) switched: HashMap<String, (bool, u64)>,
 }
@@ -189,6 +191,29 @@ impl Screen {
     /// A text in the language of the screen.
     pub(crate) fn word(&self, text: Text) -> &'static str {
         pick(self.language, text)
+    }
+
+    /// Says the newest note once: measured values push it out of the list of changes within seconds. Whether there was one.
+    pub(crate) fn tell_note(&mut self, look: &Look) -> bool {
+        // What is being typed is not interrupted, and the demo, which tells a story in notes, keeps its line of keys.
+        if self.over != Over::Nothing || self.story.is_some() {
+            return false;
+        }
+        let newest = look.changes.iter().rev().find(|entry| entry.get("note").is_some_and(Value::is_string));
+        let number = newest.and_then(|entry| entry["number"].as_u64()).unwrap_or_default();
+        // What was noted before the first look is no news.
+        let is_news = self.newest_note.is_some_and(|before| before < number);
+        self.newest_note = Some(number);
+        // The first line of several is the message.
+        let scan = newest.map(|entry| entry["scan"].clone());
+        let first = look.changes.iter().find(|entry| Some(&entry["scan"]) == scan.as_ref() && entry["note"].is_string());
+        match first.and_then(|entry| entry["note"].as_str()) {
+            Some(note) if is_news => {
+                self.said = Some(Said::Refused(note.trim().to_owned()));
+                true
+            }
+            _ => false,
+        }
     }
 
     fn say(&mut self, text: Text, values: &[&dyn std::fmt::Display]) {

@@ -163,6 +163,17 @@ fn keys_that_are_pressed_between_two_pictures_all_count() {
 }
 
 #[test]
+fn a_note_is_said_once_whatever_part_is_shown() {
+    let mut played = Played::example("tank");
+    assert!(!played.screen.tell_note(&played.look));
+    played.gate.enter(|plant| played.desk.observed.note(plant, "a source is broken")).expect("the gate is open");
+    played.refresh();
+    assert!(played.screen.tell_note(&played.look));
+    assert_eq!(refused(&played), "a source is broken");
+    assert!(!played.screen.tell_note(&played.look));
+}
+
+#[test]
 fn another_block_is_chosen_from_the_list() {
     let mut played = Played::example("traffic-light");
     let block = played.look.program.block.clone();
