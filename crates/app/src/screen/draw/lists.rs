@@ -116,7 +116,7 @@ impl Scene<'_> {
             .map(|one| format!("{} = {}", one["name"].as_str().unwrap_or_default(), one["shown"].as_str().unwrap_or_default()))
             .collect();
         let forced = if forced.is_empty() { self.screen.word(words::NOTHING).to_owned() } else { forced.join(", ") };
-        let longest = self.screen.word(words::LONGEST);
+        let longest = self.screen.word(words::AT_MOST);
         let mut lines = vec![
             row(words::CYCLE, milliseconds(&cycle["last"])),
             row(words::SHORTEST, milliseconds(&cycle["min"])),

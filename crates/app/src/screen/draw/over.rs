@@ -5,6 +5,7 @@ use ratatui::layout::Rect;
 use ratatui::style::{Color, Modifier, Style};
 use ratatui::text::{Line, Span};
 use ratatui::widgets::{Clear, Paragraph};
+use sieben_workspace::session::Language;
 
 use super::Scene;
 use super::columns::{columns, padded};
@@ -31,7 +32,9 @@ impl Scene<'_> {
         let auto = self.screen.story.is_some().then_some(words::AUTO_HELP);
         let rows: Vec<(&str, &str)> = words::HELP.iter().copied().chain(auto).map(|(keys, text)| (keys, self.screen.word(text))).collect();
         let line = |(keys, text): &(&'static str, &'static str)| {
-            let keys = Span::styled(format!(" {keys:<11}"), self.palette.colour(Color::Cyan).add_modifier(Modifier::BOLD));
+            let german = words::GERMAN_KEYS.iter().find(|(english, _)| english == keys && self.screen.language == Language::German);
+            let keys = german.map_or(*keys, |(_, german)| german);
+            let keys = Span::styled(format!(" {keys:<12}"), self.palette.colour(Color::Cyan).add_modifier(Modifier::BOLD));
             Line::from(vec![keys, Span::raw(*text)])
         };
         let lines: Vec<Line<'static>> = rows.iter().map(line).collect();

@@ -19,6 +19,7 @@ use super::draw;
 use super::look::Look;
 use super::rows::Group;
 use super::state::{Over, Part, Screen};
+use super::words;
 use crate::palette::Palette;
 use play::Played;
 
@@ -177,6 +178,19 @@ fn wide_characters_leave_the_columns_where_they_are() {
     assert!(address(2).is_some() && address(2) == address(3), "{}", text(&shown));
     let frames = |y: u16| [0, 41, 42, 79].map(|x| shown[(x, y)].symbol().to_owned());
     assert_eq!([frames(2), frames(3)], [["│"; 4].map(str::to_owned), ["│"; 4].map(str::to_owned)], "{}", text(&shown));
+}
+
+#[test]
+fn the_help_is_whole_on_the_least_terminal() {
+    let mut played = at_moment("tank", 1_000);
+    played.screen.over = Over::Help;
+    for language in [Language::English, Language::German] {
+        played.screen.language = language;
+        let shown = text(&drawn(&played.look, &played.screen, (80, 24)));
+        for (_, words) in words::HELP {
+            assert!(shown.contains(played.screen.word(*words)), "{words:?}\n{shown}");
+        }
+    }
 }
 
 #[test]
