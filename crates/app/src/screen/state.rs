@@ -195,6 +195,10 @@ impl Screen {
 
     /// Says the newest note once: measured values push it out of the list of changes within seconds. Whether there was one.
     pub(crate) fn tell_note(&mut self, look: &Look) -> bool {
+        // What is being typed is not interrupted, and the demo, which tells a story in notes, keeps its line of keys.
+        if self.over != Over::Nothing || self.story.is_some() {
+            return false;
+        }
         let newest = look.changes.iter().rev().find(|entry| entry.get("note").is_some_and(Value::is_string));
         let number = newest.and_then(|entry| entry["number"].as_u64()).unwrap_or_default();
         // What was noted before the first look is no news.
