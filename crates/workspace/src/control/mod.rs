@@ -61,8 +61,6 @@ pub struct Control {
     names: HashMap<String, Result<Name, NameError>>,
     /// The variables that blocks of ST write.
     written: HashMap<BlockId, Written>,
-    /// Bits that are pressed, and until when, in the CPU's time.
-    pressed: HashMap<String, u64>,
 }
 
 /// Names with what they mean, or why they mean nothing.
@@ -107,7 +105,7 @@ impl Control {
     /// A client of a run whose program is known by these facts.
     pub fn new(current: Arc<CurrentFacts>) -> Self {
         let (version, facts) = (current.version(), current.facts());
-        Self { current, facts, version, names: HashMap::new(), written: HashMap::new(), pressed: HashMap::new() }
+        Self { current, facts, version, names: HashMap::new(), written: HashMap::new() }
     }
 
     /// Answers one line of JSON with another.
@@ -360,32 +358,17 @@ impl Control {
 
     /// Gives bits the other value, and the one that they had after a while; those that are pressed already are left alone.
     fn press(&mut self, gate: &Gate, names: &[String], ms: u64) -> Result<Done, Refusal> {
-        let before = self.pressed.clone();
         let press = |meant: &Meant<Name>, plant: &mut Plant| {
             plant.touch();
             let now_us = plant.pace.time_us(gate.now_us()).max(plant.cpu.time_us());
+            plant.pressed.retain(|_, until_us| *until_us > now_us);
             let until_us = now_us.saturating_add(ms.saturating_mul(1_000));
-            let is_pressed = |text: &String| before.get(text).is_some_and(|&until_us| until_us > now_us);
             let press = |(text, name): &(String, Result<Name, Refusal>)| {
-                let done = match name {
-                    _ if is_pressed(text) => Ok(()),
-                    Ok(name) => press(name, plant, until_us),
-                    Err(refusal) => Err(refusal.clone()),
-                };
-                (text.clone(), done)
+                (text.clone(), name.clone().and_then(|name| press(&name, plant, until_us)))
             };
-            let items: Vec<(String, Result<(), Refusal>)> = meant.iter().map(press).collect();
-            (now_us, until_us, Done { items, scan: Some(plant.scans) })
+            Done { items: meant.iter().map(press).collect(), scan: Some(plant.scans) }
         };
-        let (_, (now_us, until_us, done)) = match self.at_one_program(gate, |this| this.named(names).map_err(Err), press) {
-            Ok(pressed) => pressed,
-            Err(early) => return early,
-        };
-        self.pressed.retain(|_, until_us| *until_us > now_us);
-        for (text, _) in done.items.iter().filter(|(_, outcome)| outcome.is_ok()) {
-            self.pressed.entry(text.clone()).or_insert(until_us);
-        }
-        Ok(done)
+        self.at_one_program(gate, |this| this.named(names).map_err(Err), press).map_or_else(|early| early, |(_, done)| Ok(done))
     }
 
     /// What changed, which is looked for from now on.
@@ -428,13 +411,16 @@ impl Control {
     }
 }
 
-/// Gives a bit the other value until this time of the CPU.
+/// Gives a bit the other value until this time of the CPU, unless it is pressed already.
 fn press(name: &Name, plant: &mut Plant, until_us: u64) -> Result<(), Refusal> {
     let Some(&Operand::Address(Address { area: Area::Input | Area::PeripheralInput, width: Width::Bit, byte, bit: number })) =
         name.operand()
     else {
         return Err(Refusal::new(Problem::P7104, format!("`{}` is no input bit, which alone can be pressed", shortened(name.text()))));
     };
+    if plant.pressed.contains_key(&(byte, number)) {
+        return Ok(());
+    }
     let refused = |error: NameError| unknown(&error);
     let bit = |value: bool| Value::bits(Kind::Bit, u64::from(value));
     // The module has what the process image only sees with the next scan.
@@ -443,7 +429,9 @@ fn press(name: &Name, plant: &mut Plant, until_us: u64) -> Result<(), Refusal> {
         None => name.content(&plant.cpu).map_err(refused)?.bits().is_some_and(|bits| bits != 0),
     };
     name.set(&mut plant.cpu, &bit(!is_on)).map_err(refused)?;
-    name.set_at(&mut plant.cpu, &bit(is_on), until_us).map_err(refused)
+    name.set_at(&mut plant.cpu, &bit(is_on), until_us).map_err(refused)?;
+    plant.pressed.insert((byte, number), until_us);
+    Ok(())
 }
 
 /// A name with the value that a text means for it.
