@@ -13,14 +13,10 @@ mod thermal;
 mod view;
 
 use std::collections::BTreeMap;
-use std::sync::Arc;
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
-use sieben_cpu::{IoModule, Rack};
-use sieben_model::address::Width;
 use sieben_sim::devices::Kind;
-use sieben_sim::wrap::{self, Plant};
 
 use crate::palette::Palette;
 use canvas::Canvas;
@@ -43,39 +39,12 @@ pub(crate) struct PlantLook {
     pub(crate) inputs: Vec<u8>,
     /// Output bytes as the CPU writes them.
     pub(crate) outputs: Vec<u8>,
-    /// What only the plant knows: name, value, unit.
-    pub(crate) state: Vec<(&'static str, f64, &'static str)>,
+    /// What only the plant knows: name and value.
+    pub(crate) state: Vec<(String, f64)>,
     /// Faults that it has at this moment, in the words of `--fault`.
     pub(crate) faults: Vec<String>,
     /// Symbols by address as English mnemonics write it with a space, `I 0.0`; empty if addresses have to do.
-    pub(crate) symbols: Arc<BTreeMap<String, String>>,
-}
-
-impl PlantLook {
-    /// A plant of a rack as it is now.
-    pub(crate) fn of(plant: &Plant, rack: &Rack, symbols: &Arc<BTreeMap<String, String>>) -> Self {
-        let settings = plant.device().settings();
-        let (inputs, outputs) = (plant.inputs(), plant.outputs());
-        let read = |byte| rack.peripheral_read(byte, Width::Byte).unwrap_or(0) as u8;
-        let put = |byte| rack.peripheral_output(byte, Width::Byte).unwrap_or(0) as u8;
-        Self {
-            kind: settings.kind,
-            name: settings.name.clone(),
-            input: inputs.start,
-            output: outputs.start,
-            parameters: settings.parameters.clone(),
-            inputs: inputs.map(read).collect(),
-            outputs: outputs.map(put).collect(),
-            state: plant.device().state().into_iter().chain(plant.device().shown(rack.outputs())).collect(),
-            faults: plant.acting_faults().map(ToString::to_string).collect(),
-            symbols: Arc::clone(symbols),
-        }
-    }
-
-    /// All plants of a rack as they are now, in the order of the project.
-    pub(crate) fn all(rack: &Rack, symbols: &Arc<BTreeMap<String, String>>) -> Vec<Self> {
-        wrap::plants(rack).map(|plant| Self::of(plant, rack, symbols)).collect()
-    }
+    pub(crate) symbols: BTreeMap<String, String>,
 }
 
 /// Columns and rows.

@@ -1,7 +1,6 @@
 //! Every picture at moments of its plant, at both sizes, and over whatever is there.
 
 use std::collections::BTreeMap;
-use std::sync::Arc;
 
 use proptest::prelude::*;
 use ratatui::buffer::Buffer;
@@ -72,7 +71,7 @@ const MOMENTS: [Row; 20] = [
     },
     Row {
         kind: "elevator",
-        title: "the door opens at floor 3 and somebody stands in it",
+        title: "the door opens at floor 3 and a person stands in it",
         parameters: &[("floor", 3.0)],
         faults: &["elevator.door_open stuck=0"],
         steps: &[Set(2, 2, 2), Out(&[0x08, 0x04, 0, 3]), Wait(1_400)],
@@ -184,6 +183,7 @@ fn look(row: &Row) -> (PlantLook, Moment) {
     plant.read(0, &mut inputs);
     let symbols = [("I 0.0", "START"), ("Q 0.0", "Y1"), ("I 0.1", "A_very_long_symbol_indeed")];
     let settings = plant.device().settings();
+    let state = plant.device().state().into_iter().chain(plant.device().shown(&[0x80; 21]));
     let look = PlantLook {
         kind,
         name: settings.name.clone(),
@@ -192,9 +192,9 @@ fn look(row: &Row) -> (PlantLook, Moment) {
         parameters: settings.parameters.clone(),
         inputs,
         outputs,
-        state: plant.device().state().into_iter().chain(plant.device().shown(&[0x80; 21])).collect(),
+        state: state.map(|(name, value, _)| (name.to_owned(), value)).collect(),
         faults: plant.acting_faults().map(ToString::to_string).collect(),
-        symbols: Arc::new(symbols.into_iter().map(|(address, name)| (address.to_owned(), name.to_owned())).collect::<BTreeMap<_, _>>()),
+        symbols: symbols.into_iter().map(|(address, name)| (address.to_owned(), name.to_owned())).collect(),
     };
     (look, Moment { time_ms })
 }
@@ -287,10 +287,10 @@ fn any_look() -> impl Strategy<Value = (PlantLook, Moment)> {
             let kind = Kind::ALL[index];
             let device = sieben_sim::devices::Device::new(DeviceSettings::new(kind));
             let state = device.state().into_iter().enumerate();
-            let state = state.filter_map(|(index, (name, _, unit))| Some((name, *values.get(index)?, unit))).collect();
+            let state = state.filter_map(|(index, (name, ..))| Some((name.to_owned(), *values.get(index)?))).collect();
             let parameters = if complete { DeviceSettings::new(kind).parameters } else { parameters };
             let name = kind.name.to_owned();
-            let symbols = Arc::new(BTreeMap::from([(format!("I {input}.0"), "Überlauf_des_Behälters_ganz_oben_links".to_owned())]));
+            let symbols = BTreeMap::from([(format!("I {input}.0"), "Überlauf_des_Behälters_ganz_oben_links".to_owned())]);
             (PlantLook { kind, name, input, output, parameters, inputs, outputs, state, faults, symbols }, Moment { time_ms })
         },
     )
