@@ -7,6 +7,7 @@ mod draw;
 mod keys;
 mod live;
 mod look;
+mod menu;
 mod numbers;
 mod operator;
 mod pictured;
