@@ -24,5 +24,5 @@ pub(crate) use demo::{Demo, Outcome};
 pub(crate) use live::{Around, Left, show};
 pub(crate) use numbers::{clock, thousands};
 pub(crate) use operator::CYCLE_US;
-pub(crate) use plain::line;
+pub(crate) use plain::changed;
 pub(crate) use state::Screen;
