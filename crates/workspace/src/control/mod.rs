@@ -18,7 +18,6 @@ use std::time::Duration;
 pub use answer::{Answer, line};
 use answer::{Blocks, Changes, Diagnostics, Done, Entry, Mode, State, Stop, Time, Values};
 pub use facts::{Client, Clients, Connection, CurrentFacts, Facts};
-use plants::{PlantFaults, plant_faults};
 use request::shortened;
 pub use request::{FaultChange, LINE_BYTES_MAX, ModeChange, Request, TimeChange, Wait, parse, too_long};
 use sieben_cpu::communication::Requester;
@@ -31,7 +30,7 @@ use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
 use sieben_model::value::{Kind, Value};
 use sieben_sim::names::{Name, NameError};
-use sieben_sim::wrap::{self, Fault};
+use sieben_sim::wrap::Fault;
 pub use table::watched;
 
 use crate::gate::{Closed, Gate, ITEMS_MAX, ListError, Plant};
@@ -148,7 +147,7 @@ impl Control {
             }
             Request::Mode(change) => mode(gate, *change).map(Answer::Mode),
             Request::Time(change) => time(gate, *change).map(Answer::Time),
-            Request::Faults(change) => faults(gate, change).map(Answer::Faults),
+            Request::Faults(change) => plants::faults(gate, change).map(Answer::Faults),
             Request::Plants => Ok(Answer::Plants(plants::plants(gate, &self.facts)?)),
             Request::Listing { block, from } => listing::listing(&self.facts, block.as_deref(), *from).map(Answer::Listing),
             Request::Names { from } => Ok(Answer::Names(table::table(gate, &self.facts, *from)?)),
@@ -543,24 +542,6 @@ fn time(gate: &Gate, change: TimeChange) -> Result<Time, Refusal> {
         },
         _ => Ok(changed),
     }
-}
-
-fn faults(gate: &Gate, change: &FaultChange) -> Result<Vec<PlantFaults>, Refusal> {
-    let refused = |message: String| Refusal::new(Problem::P6272, message);
-    let fault = match change {
-        FaultChange::Inject(text) => Some(Fault::parse(text).map_err(refused)?),
-        _ => None,
-    };
-    gate.enter(|plant| {
-        let rack = plant.cpu.rack_mut();
-        if let Some(fault) = &fault {
-            wrap::inject(rack, fault).map_err(refused)?;
-        }
-        if let FaultChange::Mend(name) = change {
-            wrap::mend(rack, name).map_err(|message| refused(shortened(&message)))?;
-        }
-        Ok(wrap::plants(plant.cpu.rack()).map(plant_faults).collect())
-    })?
 }
 
 /// Reads the input as lines of requests, and their names and values as those of an empty program: a target of the fuzzer.

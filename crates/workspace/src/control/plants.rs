@@ -1,13 +1,17 @@
 //! The simulated plants of a run at one moment: their bytes, what only they know, their faults and their terminals.
 
 use serde_json::{Value as Json, json};
-use sieben_cpu::IoModule;
+use sieben_cpu::{IoModule, Rack};
 use sieben_model::address::Operand;
-use sieben_sim::wrap;
+use sieben_model::problems::Problem;
+use sieben_sim::devices::Signal;
+use sieben_sim::wrap::{self, Fault};
 
 use super::facts::Facts;
+use super::request::{FaultChange, shortened};
 use super::table::{direction, operated};
 use crate::gate::{Closed, Gate};
+use crate::refusal::Refusal;
 
 /// Plants in one answer.
 const PLANTS_MAX: usize = 100;
@@ -69,7 +73,7 @@ pub struct SignalView {
     pub about: &'static str,
 }
 
-pub(super) fn plant_faults(plant: &wrap::Plant) -> PlantFaults {
+fn plant_faults(plant: &wrap::Plant) -> PlantFaults {
     PlantFaults {
         module: plant.name().to_owned(),
         kind: plant.kind().name,
@@ -78,11 +82,28 @@ pub(super) fn plant_faults(plant: &wrap::Plant) -> PlantFaults {
     }
 }
 
+/// Injects a fault or mends one, if that is asked for; the plants with their faults.
+pub(super) fn faults(gate: &Gate, change: &FaultChange) -> Result<Vec<PlantFaults>, Refusal> {
+    let refused = |message: String| Refusal::new(Problem::P6272, message);
+    let all = |rack: &Rack| wrap::plants(rack).map(plant_faults).collect();
+    let changed = |change: &dyn Fn(&mut Rack) -> Result<(), Refusal>| {
+        gate.enter(|plant| change(plant.cpu.rack_mut()).map(|()| all(plant.cpu.rack())))?
+    };
+    match change {
+        FaultChange::None => Ok(gate.look(|plant| all(plant.cpu.rack()))?),
+        FaultChange::Inject(text) => {
+            let fault = Fault::parse(text).map_err(refused)?;
+            changed(&|rack| wrap::inject(rack, &fault).map_err(refused))
+        }
+        FaultChange::Mend(name) => changed(&|rack| wrap::mend(rack, name).map_err(|message| refused(shortened(&message)))),
+    }
+}
+
 /// A plant as it is now; `put_out` are all bytes that the CPU has put out, some of which a plant may show that are not its own.
 fn view(plant: &wrap::Plant, put_out: &[u8]) -> PlantView {
     let mut inputs = vec![0; plant.inputs().len()];
     plant.read(0, &mut inputs);
-    let signal = |signal: &sieben_sim::devices::Signal| SignalView {
+    let signal = |signal: &Signal| SignalView {
         name: signal.name,
         address: signal.address(if signal.is_input() { plant.inputs().start } else { plant.outputs().start }),
         direction: direction(signal.direction),
