@@ -164,3 +164,27 @@ impl PlantView {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use sieben_cpu::{Cpu, Settings};
+    use sieben_engine::Interpreter;
+    use sieben_model::cpu_type::CpuType;
+
+    use super::*;
+    use crate::gate::Plant;
+    use crate::pace::{Pace, Speed};
+
+    #[test]
+    fn to_ask_for_faults_is_no_change_of_the_run() {
+        let cpu_type = &CpuType::ALL[0];
+        let rack = Rack::with_background(cpu_type, Vec::new()).expect("an empty rack");
+        let cpu = Cpu::load(cpu_type, Arc::default(), Interpreter::load, rack, Settings::default());
+        let gate = Gate::new(Plant::new(cpu, Pace::new(Speed::Max, 10_000, u64::MAX, 0)), Box::new(|| 0));
+        let is_touched = || gate.look(|plant| plant.touched).expect("the gate is open");
+        assert!(faults(&gate, &FaultChange::None).is_ok_and(|plants| plants.is_empty()) && !is_touched());
+        assert!(faults(&gate, &FaultChange::Mend("tank".to_owned())).is_err() && is_touched());
+    }
+}
