@@ -70,6 +70,9 @@ fn play(
         if said_at.elapsed() >= SAID {
             screen.said = None;
         }
+        if screen.tell_note(&look) {
+            said_at = Instant::now();
+        }
         display.draw(|frame| draw::draw(frame, &look, screen, palette))?;
         let mut wait = FRAME.saturating_sub(began.elapsed()).max(Duration::from_millis(5));
         loop {

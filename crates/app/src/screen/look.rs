@@ -5,12 +5,18 @@ use std::io;
 
 use serde_json::{Value, json};
 use sieben_model::format::Format;
+use sieben_workspace::control::LINE_BYTES_MAX;
+use sieben_workspace::gate::ITEMS_MAX;
 
 use super::asks::{Asks, asked};
-use super::rows::{Row, Shown};
+use super::rows::{Group, Row, Shown};
 
-/// Rows that are read: as many as one request takes.
-const ROWS_MAX: usize = 1_000;
+/// Rows of inputs, of outputs and of values that are kept: more than anyone moves through, and few enough to be read for each picture.
+const GROUP_ROWS_MAX: usize = 500;
+/// Rows of a long table that are looked through: inputs and outputs stand first in most, and each part that is asked for takes as long as the whole.
+const TABLE_ROWS_MAX: u64 = 4_000;
+/// Bytes of names in one request: half of a line that is accepted, so that what is escaped in it fits too.
+const NAMES_BYTES_MAX: usize = LINE_BYTES_MAX / 2;
 /// Changes that are kept: more than any screen shows.
 const CHANGES_MAX: usize = 200;
 /// Entries of the diagnostic buffer that are kept: no CPU type has more.
@@ -111,16 +117,25 @@ impl Look {
     /// The assignment table: it changes with the program.
     fn names(&mut self, asks: &mut dyn Asks, names: &[String]) -> io::Result<()> {
         self.rows.clear();
+        // Many inputs leave room for outputs and values.
+        let mut groups: [Vec<Row>; Group::ALL.len()] = Default::default();
+        let mut keep = |row: Row| {
+            let at = Group::ALL.iter().position(|group| *group == row.group);
+            if let Some(rows) = at.and_then(|at| groups.get_mut(at)).filter(|rows| rows.len() < GROUP_ROWS_MAX) {
+                rows.push(row);
+            }
+        };
+        let named: Vec<Row> = names.iter().map(|name| Row::named(name)).collect();
         let mut from = Some(0);
         while let Some(first) = from {
             let Ok(answer) = asked(asks, "names", &json!({ "from": first }))? else { break };
-            self.rows.extend(list(&answer, "rows").iter().filter_map(Row::of));
-            from = answer["next"].as_u64().filter(|_| self.rows.len() < ROWS_MAX);
+            list(&answer, "rows").iter().filter_map(Row::of).for_each(&mut keep);
+            from = answer["next"].as_u64().filter(|&next| next > first && next < TABLE_ROWS_MAX);
         }
-        self.rows.extend(names.iter().map(|name| Row::named(name)));
-        self.rows.truncate(ROWS_MAX);
+        self.rows.extend(groups.into_iter().flatten());
+        self.rows.extend(named);
         // In the order in which they are gone through; the sort keeps that of the table.
-        self.rows.sort_by_key(|row| super::rows::Group::ALL.iter().position(|group| *group == row.group));
+        self.rows.sort_by_key(|row| Group::ALL.iter().position(|group| *group == row.group));
         self.shown = vec![Shown::default(); self.rows.len()];
         Ok(())
     }
@@ -164,8 +179,14 @@ impl Look {
 
     fn values(&mut self, asks: &mut dyn Asks, formats: &HashMap<String, Format>) -> io::Result<()> {
         let items: Vec<String> = self.rows.iter().map(|row| row.asked(formats.get(&row.item).copied())).collect();
-        let Ok(answer) = asked(asks, "read", &json!({ "items": items }))? else { return Ok(()) };
-        self.shown = list(&answer, "items").iter().zip(&self.rows).map(|(item, row)| Shown::of(item, row)).collect();
+        let mut shown = Vec::with_capacity(items.len());
+        for items in requests(&items) {
+            let Ok(answer) = asked(asks, "read", &json!({ "items": items }))? else { return Ok(()) };
+            let answered = list(&answer, "items");
+            let rows = self.rows.iter().skip(shown.len());
+            shown.extend(answered.iter().take(items.len()).zip(rows).map(|(item, row)| Shown::of(item, row)).collect::<Vec<_>>());
+        }
+        self.shown = shown;
         self.shown.resize(self.rows.len(), Shown::default());
         Ok(())
     }
@@ -236,6 +257,24 @@ impl Look {
     pub(crate) fn time_ms(&self) -> u64 {
         self.state["time_ms"].as_f64().unwrap_or_default() as u64
     }
+}
+
+/// Names in so many parts that each fits into a request.
+fn requests(names: &[String]) -> Vec<&[String]> {
+    let mut parts = Vec::new();
+    let mut rest = names;
+    while !rest.is_empty() {
+        let mut bytes = 0;
+        let fits = |name: &&String| {
+            bytes += name.len() + 3;
+            bytes <= NAMES_BYTES_MAX
+        };
+        let count = rest.iter().take(ITEMS_MAX).take_while(fits).count().max(1);
+        let (part, others) = rest.split_at(count);
+        parts.push(part);
+        rest = others;
+    }
+    parts
 }
 
 /// Where STA stands among the nine characters of a status word.

@@ -155,6 +155,8 @@ pub(crate) struct Screen {
     pub(crate) over: Over,
     pub(crate) said: Option<Said>,
     pub(crate) story: Option<Arc<Story>>,
+    /// The number of the newest note that was said.
+    pub(crate) newest_note: Option<u64>,
     /// What was switched lately, to what and in which scan: the process image only sees it with the next one.
     pub(crate) switched: HashMap<String, (bool, u64)>,
 }
@@ -168,6 +170,29 @@ impl Screen {
     /// A text in the language of the screen.
     pub(crate) fn word(&self, text: Text) -> &'static str {
         pick(self.language, text)
+    }
+
+    /// Says the newest note once: measured values push it out of the list of changes within seconds. Whether there was one.
+    pub(crate) fn tell_note(&mut self, look: &Look) -> bool {
+        // What is being typed is not interrupted, and the demo, which tells a story in notes, keeps its line of keys.
+        if self.over != Over::Nothing || self.story.is_some() {
+            return false;
+        }
+        let newest = look.changes.iter().rev().find(|entry| entry.get("note").is_some_and(Value::is_string));
+        let number = newest.and_then(|entry| entry["number"].as_u64()).unwrap_or_default();
+        // What was noted before the first look is no news.
+        let is_news = self.newest_note.is_some_and(|before| before < number);
+        self.newest_note = Some(number);
+        // The first line of several is the message.
+        let scan = newest.map(|entry| entry["scan"].clone());
+        let first = look.changes.iter().find(|entry| Some(&entry["scan"]) == scan.as_ref() && entry["note"].is_string());
+        match first.and_then(|entry| entry["note"].as_str()) {
+            Some(note) if is_news => {
+                self.said = Some(Said::Refused(note.trim().to_owned()));
+                true
+            }
+            _ => false,
+        }
     }
 
     pub(super) fn say(&mut self, text: Text, values: &[&dyn std::fmt::Display]) {
@@ -220,11 +245,14 @@ impl Screen {
             Command::Stop => drop(self.command(asks, "mode", &json!({ "mode": "stop" }))?),
             Command::MemoryReset => self.over = Over::MemoryReset,
             // The scan after which time stands still is the one whose status is shown.
-            Command::Pause if !look.is_paused() => drop(self.command(asks, "time", &time("step"))?),
+            Command::Pause if !Self::state_now(look, asks)?["paused"].as_bool().unwrap_or_default() => {
+                self.command(asks, "time", &time("step"))?;
+            }
             Command::Pause | Command::Go => drop(self.command(asks, "time", &time("go"))?),
             Command::OneScan => drop(self.command(asks, "time", &time("step"))?),
             Command::Faster | Command::Slower => {
-                let now = Speed::parse(look.word("speed")).unwrap_or(Speed::Factor(1.0));
+                let state = Self::state_now(look, asks)?;
+                let now = Speed::parse(state["speed"].as_str().unwrap_or_default()).unwrap_or(Speed::Factor(1.0));
                 let next = if command == Command::Faster { now.faster() } else { now.slower() };
                 // As fast as it goes is too fast for the demo, which makes up for every cycle.
                 if self.story.is_none() || next != Speed::Max {
@@ -241,6 +269,11 @@ impl Screen {
             Command::Help => self.over = Over::Help,
         }
         Ok(Then::On)
+    }
+
+    /// The state of the run now: several keys may have been pressed since the last look.
+    fn state_now(look: &Look, asks: &mut dyn Asks) -> io::Result<Value> {
+        Ok(asked(asks, "state", &json!({}))?.unwrap_or_else(|_| look.state.clone()))
     }
 
     fn switch_story(&mut self) {

@@ -25,9 +25,10 @@ pub(super) const NO_LISTING: Text = ["no block is listed", "kein Baustein ist au
 pub(super) const NOT_THE_SAME: Text = ["replayed differently", "anders nachgespielt"];
 
 /// The run.
-pub(super) const CYCLE: Text = ["cycle", "Zyklus"];
-pub(super) const SHORTEST: Text = ["shortest", "kürzester"];
-pub(super) const LONGEST: Text = ["longest", "längster"];
+pub(super) const CYCLE: Text = ["cycle", "Zykluszeit"];
+pub(super) const SHORTEST: Text = ["shortest", "kürzeste"];
+pub(super) const LONGEST: Text = ["longest", "längste"];
+pub(super) const AT_MOST: Text = ["longest", "max."];
 pub(super) const EXECUTION: Text = ["program", "Programm"];
 pub(super) const SCANS: Text = ["scans", "Zyklen"];
 pub(super) const SCAN: Text = ["scan", "Zyklus"];
@@ -97,19 +98,16 @@ pub(super) const GO_ON: Text = ["go on", "weiter"];
 /// The demo's key.
 pub(super) const AUTO_KEY: (&str, Text) = ("a", ["auto", "auto"]);
 
+/// Keys of the help that have other names on a German keyboard.
+pub(super) const GERMAN_KEYS: [(&str, &str); 2] = [("space", "Leertaste"), ("PgUp PgDn", "Bild↑ Bild↓")];
+
 /// All keys, for the help.
 pub(super) const HELP: &[(&str, Text)] = &[
     ("↑ ↓", ["choose an input, output or value", "Eingang, Ausgang oder Wert wählen"]),
     ("← →", ["go to the inputs, the outputs, the values", "zu den Eingängen, den Ausgängen, den Werten"]),
     ("space", ["switch the chosen bit, which stays so", "das gewählte Bit umschalten; es bleibt so"]),
     ("Enter", ["press it for 400 ms, like a push button", "400 ms lang drücken, wie einen Taster"]),
-    (
-        "1 … 9",
-        [
-            "the first nine inputs: buttons are pressed, others switched",
-            "die ersten neun Eingänge: Taster werden gedrückt, andere geschaltet",
-        ],
-    ),
+    ("1 … 9", ["the first nine inputs: buttons are pressed, others switched", "die ersten neun Eingänge: Taster drücken, andere schalten"]),
     ("e", ["type a value, in any notation", "einen Wert eingeben, in jeder Schreibweise"]),
     ("x", ["the next format of the chosen value", "das nächste Format des gewählten Werts"]),
     ("r s m", ["RUN, STOP, memory reset (it asks)", "RUN, STOP, Urlöschen (mit Rückfrage)"]),

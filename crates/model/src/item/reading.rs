@@ -123,7 +123,10 @@ impl Item {
             };
         }
         // `DB1.speed=5` means the number where the field is a REAL.
-        if let (Some(DataType::Real), Ok(number)) = (self.data_type(), text.parse::<f32>()) {
+        // Digits that are too large for it are no infinity, which is written `+INF`.
+        if let (Some(DataType::Real), Ok(number)) = (self.data_type(), text.parse::<f32>())
+            && (number.is_finite() || !text.contains(|character: char| character.is_ascii_digit()))
+        {
             return Ok(u64::from(number.to_bits()));
         }
         if let Some(data_type) = self.data_type()

@@ -9,7 +9,8 @@ use serde_json::Value;
 use sieben_model::visible::visible;
 use sieben_workspace::session::texts::Text;
 
-use super::{Scene, fitted};
+use super::Scene;
+use super::columns::{columns, fitted};
 use crate::screen::numbers::{clock, thousands};
 use crate::screen::words;
 
@@ -26,7 +27,7 @@ fn wrapped(text: &str, width: usize) -> Vec<String> {
         let is_last = lines.len() >= NOTE_LINES;
         match lines.last_mut() {
             Some(line) if line.is_empty() => line.push_str(word),
-            Some(line) if is_last || line.chars().count() + 1 + word.chars().count() <= width => {
+            Some(line) if is_last || columns(line) + 1 + columns(word) <= width => {
                 line.push(' ');
                 line.push_str(word);
             }
@@ -73,8 +74,8 @@ impl Scene<'_> {
         let (name, address) = (text("name"), text("address"));
         let name = if name.is_empty() { address } else { name };
         let values = format!("{}→{}", text("before"), text("after"));
-        let name = fitted(&name, room.saturating_sub(values.chars().count() + 1).max(room / 3));
-        let left = room.saturating_sub(name.chars().count() + values.chars().count() + 2);
+        let name = fitted(&name, room.saturating_sub(columns(&values) + 1).max(room / 3));
+        let left = room.saturating_sub(columns(&name) + columns(&values) + 2);
         vec![Line::from(vec![
             scan,
             Span::raw(format!("{name} ")),
@@ -94,7 +95,7 @@ impl Scene<'_> {
             // The date stands in the panel of the run.
             let time = text("time").split_once(' ').map_or(text("time"), |(_, time)| time);
             let time = format!(" {time}  ");
-            let left = usize::from(area.width.saturating_sub(2)).saturating_sub(time.chars().count());
+            let left = usize::from(area.width.saturating_sub(2)).saturating_sub(columns(&time));
             let said = fitted(&format!("{}  {}{place}", text("event"), text("text")), left);
             Line::from(vec![Span::styled(time, self.palette.faint()), Span::raw(said)])
         };
@@ -115,7 +116,7 @@ impl Scene<'_> {
             .map(|one| format!("{} = {}", one["name"].as_str().unwrap_or_default(), one["shown"].as_str().unwrap_or_default()))
             .collect();
         let forced = if forced.is_empty() { self.screen.word(words::NOTHING).to_owned() } else { forced.join(", ") };
-        let longest = self.screen.word(words::LONGEST);
+        let longest = self.screen.word(words::AT_MOST);
         let mut lines = vec![
             row(words::CYCLE, milliseconds(&cycle["last"])),
             row(words::SHORTEST, milliseconds(&cycle["min"])),

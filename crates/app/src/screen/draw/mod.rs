@@ -1,5 +1,6 @@
 //! Draws the screen: where its panels stand, and each of them.
 
+mod columns;
 mod layout;
 mod lists;
 mod over;
@@ -22,6 +23,7 @@ use super::plants::{self, Moment};
 use super::state::{Over, Said, Screen};
 use super::words;
 use crate::palette::{Lit, Palette};
+use columns::{columns, fitted};
 use layout::Panel;
 
 /// Smallest terminal that the screen fits into.
@@ -75,7 +77,7 @@ pub(crate) fn draw(frame: &mut Frame<'_>, look: &Look, screen: &Screen, palette:
 
 /// Rows that a text needs in this width, if it can be broken anywhere.
 fn rows_of(text: &str, width: u16) -> u16 {
-    u16::try_from((text.chars().count() + 1).div_ceil(usize::from(width.max(1)))).unwrap_or(u16::MAX)
+    u16::try_from((columns(text) + 1).div_ceil(usize::from(width.max(1)))).unwrap_or(u16::MAX)
 }
 
 /// Why the CPU is in STOP.
@@ -86,16 +88,6 @@ fn stop_text(look: &Look) -> Option<String> {
         _ => String::new(),
     };
     Some(format!("{}{place}", stop["text"].as_str()?))
-}
-
-/// A text in so many columns: longer ones end in `…`.
-fn fitted(text: &str, width: usize) -> String {
-    let text = visible(text);
-    match text.chars().count() {
-        count if count <= width => text.into_owned(),
-        _ if width == 0 => String::new(),
-        _ => text.chars().take(width - 1).chain(std::iter::once('…')).collect(),
-    }
 }
 
 impl Scene<'_> {
@@ -195,7 +187,7 @@ impl Scene<'_> {
                 "p" if self.look.is_paused() => self.screen.word(words::GO_ON),
                 _ => self.screen.word(text),
             };
-            let room = key.chars().count() + word.chars().count() + 3;
+            let room = columns(key) + columns(word) + 3;
             if room > left + 2 {
                 break;
             }

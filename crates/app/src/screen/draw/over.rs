@@ -5,9 +5,10 @@ use ratatui::layout::Rect;
 use ratatui::style::{Color, Modifier, Style};
 use ratatui::text::{Line, Span};
 use ratatui::widgets::{Clear, Paragraph};
-use sieben_model::visible::visible;
+use sieben_workspace::session::Language;
 
-use super::{Scene, fitted};
+use super::Scene;
+use super::columns::{columns, padded};
 use crate::screen::menu::{Choice, Menu};
 use crate::screen::state::Over;
 use crate::screen::words;
@@ -32,7 +33,9 @@ impl Scene<'_> {
         let auto = self.screen.story.is_some().then_some(words::AUTO_HELP);
         let rows: Vec<(&str, &str)> = words::HELP.iter().copied().chain(auto).map(|(keys, text)| (keys, self.screen.word(text))).collect();
         let line = |(keys, text): &(&'static str, &'static str)| {
-            let keys = Span::styled(format!(" {keys:<11}"), self.palette.colour(Color::Cyan).add_modifier(Modifier::BOLD));
+            let german = words::GERMAN_KEYS.iter().find(|(english, _)| english == keys && self.screen.language == Language::German);
+            let keys = german.map_or(*keys, |(_, german)| german);
+            let keys = Span::styled(format!(" {keys:<12}"), self.palette.colour(Color::Cyan).add_modifier(Modifier::BOLD));
             Line::from(vec![keys, Span::raw(*text)])
         };
         let lines: Vec<Line<'static>> = rows.iter().map(line).collect();
@@ -44,13 +47,13 @@ impl Scene<'_> {
     }
 
     fn menu(&self, frame: &mut Frame<'_>, area: Rect, menu: &Menu) {
-        let width = menu.rows.iter().map(|(_, text)| text.chars().count() + 4).max().unwrap_or_default().max(44);
+        let width = menu.rows.iter().map(|(_, text)| columns(text) + 4).max().unwrap_or_default().max(44);
         let area = centred(area, width, menu.rows.len().max(1) + 2);
         let room = usize::from(area.height.saturating_sub(2));
         let first = (menu.at + 1).saturating_sub(room);
         let inner = usize::from(area.width.saturating_sub(2));
         let line = |(at, (_, text)): (usize, &(Choice, String))| {
-            let text = format!(" {:<width$}", fitted(&visible(text), inner.saturating_sub(2)), width = inner.saturating_sub(1));
+            let text = format!(" {} ", padded(text, inner.saturating_sub(2)));
             Line::styled(text, if at == menu.at { Style::new().add_modifier(Modifier::REVERSED) } else { Style::new() })
         };
         let mut lines: Vec<Line<'static>> = menu.rows.iter().enumerate().skip(first).take(room).map(line).collect();

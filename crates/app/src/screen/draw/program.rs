@@ -8,7 +8,8 @@ use ratatui::widgets::Paragraph;
 use serde_json::Value;
 use sieben_model::visible::visible;
 
-use super::{Scene, fitted};
+use super::Scene;
+use super::columns::{columns, fitted, padded};
 use crate::screen::look::Seen;
 use crate::screen::numbers::thousands;
 use crate::screen::words;
@@ -90,9 +91,9 @@ impl Scene<'_> {
         let symbol_width = left.saturating_sub(statement_width).min(SYMBOL);
         let statement = format!(" {mnemonic:<3} {operand} ");
         // A long operand takes the place of the symbol.
-        let text = match statement.chars().count() > statement_width || symbol.is_empty() {
-            true => format!("{:<left$}", fitted(&format!("{statement}{symbol}"), left)),
-            false => format!("{statement:<statement_width$}{:<width$}", fitted(symbol, symbol_width), width = left - statement_width),
+        let text = match columns(&statement) > statement_width || symbol.is_empty() {
+            true => padded(&format!("{statement}{symbol}"), left),
+            false => padded(&statement, statement_width) + &padded(&fitted(symbol, symbol_width), left - statement_width),
         };
         let Some(seen) = seen else { return Line::styled(text, self.palette.faint()) };
         let on = self.palette.colour(Color::Green).add_modifier(Modifier::BOLD);
@@ -113,10 +114,10 @@ impl Scene<'_> {
     fn source_line(&self, text: &str, seen: Vec<&Seen>, width: usize) -> Line<'static> {
         let value = seen.iter().rev().find_map(|seen| seen.value.clone());
         let value = value.map_or_else(String::new, |value| fitted(&value, VALUE));
-        let room = width.saturating_sub(if value.is_empty() { 0 } else { value.chars().count() + 1 });
+        let room = width.saturating_sub(if value.is_empty() { 0 } else { columns(&value) + 1 });
         let style = if seen.is_empty() { self.palette.faint() } else { Style::new() };
         Line::from(vec![
-            Span::styled(format!("{:<room$}", fitted(&text.replace('\t', "    "), room)), style),
+            Span::styled(padded(&text.replace('\t', "    "), room), style),
             Span::raw(if value.is_empty() { "" } else { " " }),
             Span::styled(value, Style::new().add_modifier(Modifier::BOLD)),
         ])

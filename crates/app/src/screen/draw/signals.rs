@@ -6,7 +6,8 @@ use ratatui::style::{Color, Modifier, Style};
 use ratatui::text::{Line, Span};
 use ratatui::widgets::Paragraph;
 
-use super::{Scene, fitted};
+use super::Scene;
+use super::columns::{columns, fitted, padded};
 use crate::palette::Lit;
 use crate::screen::rows::{Driver, Group};
 use crate::screen::state::Screen;
@@ -86,16 +87,16 @@ impl Scene<'_> {
         let value = if shown.on.is_some() && !self.screen.formats.contains_key(&row.item) { "" } else { shown.text.as_str() };
         let mut left = width.saturating_sub(3);
         // On a narrow panel a value that is read goes before the address.
-        let has_room = left >= 16 && (left >= 24 || value.chars().count() + ADDRESS + 6 <= left);
+        let has_room = left >= 16 && (left >= 24 || columns(value) + ADDRESS + 6 <= left);
         let address = if has_room { format!(" {address:<ADDRESS$}") } else { String::new() };
-        left = left.saturating_sub(address.chars().count());
-        let least_name = row.name.chars().count().min(left / 3);
+        left = left.saturating_sub(columns(&address));
+        let least_name = columns(&row.name).min(left / 3);
         let room = left.saturating_sub(least_name + 1);
         // Without the number that the bits are, a value may still be read.
         let short = value.split_once(" (").map_or(value, |(short, _)| short);
-        let value = fitted(if value.chars().count() > room { short } else { value }, room);
-        let gap = if value.is_empty() { 0 } else { value.chars().count() + 1 };
-        let name = format!("{:<width$}", fitted(&row.name, left.saturating_sub(gap)), width = left.saturating_sub(gap));
+        let value = fitted(if columns(value) > room { short } else { value }, room);
+        let gap = if value.is_empty() { 0 } else { columns(&value) + 1 };
+        let name = padded(&row.name, left.saturating_sub(gap));
         let value_style = if shown.is_error { self.palette.colour(Color::Yellow) } else { Style::new().add_modifier(Modifier::BOLD) };
         let mut spans =
             vec![Span::styled(key, self.palette.colour(Color::Cyan).add_modifier(Modifier::BOLD)), lamp, Span::raw(" "), Span::raw(name)];

@@ -157,6 +157,31 @@ fn modes_and_time_obey_keys_and_a_memory_reset_asks() {
 }
 
 #[test]
+fn keys_that_are_pressed_between_two_pictures_all_count() {
+    let mut played = Played::example("tank");
+    let mut keys = |text: &str| {
+        for character in text.chars() {
+            played.screen.key(plain(character), &played.look, &mut played.asks).expect("the run answers");
+        }
+        played.refresh();
+        (played.look.word("speed").to_owned(), played.look.is_paused())
+    };
+    assert_eq!(keys("+++"), ("10x".to_owned(), true));
+    assert_eq!(keys("p--"), ("2x".to_owned(), false));
+}
+
+#[test]
+fn a_note_is_said_once_whatever_part_is_shown() {
+    let mut played = Played::example("tank");
+    assert!(!played.screen.tell_note(&played.look));
+    played.gate.enter(|plant| played.desk.observed.note(plant, "a source is broken")).expect("the gate is open");
+    played.refresh();
+    assert!(played.screen.tell_note(&played.look));
+    assert_eq!(refused(&played), "a source is broken");
+    assert!(!played.screen.tell_note(&played.look));
+}
+
+#[test]
 fn another_block_is_chosen_from_the_list() {
     let mut played = Played::example("traffic-light");
     let block = played.look.program.block.clone();

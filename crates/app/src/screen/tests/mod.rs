@@ -12,11 +12,14 @@ use ratatui::Terminal;
 use ratatui::backend::TestBackend;
 use ratatui::buffer::Buffer;
 use serde_json::json;
+use sieben_workspace::project::{Overrides, Project};
 use sieben_workspace::session::Language;
 
 use super::draw;
 use super::look::Look;
+use super::rows::Group;
 use super::state::{Over, Part, Screen};
+use super::words;
 use crate::palette::Palette;
 use play::Played;
 
@@ -141,6 +144,52 @@ fn a_stop_shows_its_cause_and_a_block_that_does_not_run_nothing() {
         played.look.state["speed"] = json!(speed);
         let header = text(&drawn(&played.look, &played.screen, (100, 30))).lines().next().map(|line| format!("{line} "));
         assert!(header.as_ref().is_some_and(|header| header.contains(shown)), "{header:?}");
+    }
+}
+
+/// A project of one statement with this table of symbols.
+fn with_symbols(rows: impl Iterator<Item = String>) -> Played {
+    let mut project = Project::new(None);
+    project.add_settings(Path::new("sieben.toml"), b"sources = [\"a.awl\"]\nsymbols = [\"s.csv\"]\nmnemonics = \"en\"\n");
+    let table = "symbol,address,type,comment\n".to_owned() + &rows.collect::<String>();
+    project.add_symbols(Path::new("s.csv"), table.as_bytes()).expect("a table");
+    project.add_source(Path::new("a.awl"), b"ORGANIZATION_BLOCK OB 1\nBEGIN\n A I 0.0;\n = Q 0.0;\nEND_ORGANIZATION_BLOCK\n");
+    Played::of(&project.compile(Overrides::default(), false))
+}
+
+#[test]
+fn many_inputs_leave_room_for_outputs_and_long_names_are_read() {
+    let name = "N".repeat(100);
+    let row = |area: char, at: usize| format!("{name}{area}{at},{area} {}.{},BOOL,\n", at / 8, at % 8);
+    let mut played = with_symbols((0..1_000).map(|at| row('I', at)).chain((0..1_000).map(|at| row('Q', at))));
+    played.ask("write", &json!({ "values": { "I0.0": 1 } }));
+    played.scan_and_look();
+    let first = |group| played.look.rows.iter().zip(&played.look.shown).find(|(row, _)| row.group == group).map(|(_, shown)| shown.on);
+    assert_eq!([Group::Inputs, Group::Outputs].map(first), [Some(Some(true)); 2]);
+}
+
+#[test]
+fn wide_characters_leave_the_columns_where_they_are() {
+    let mut played = with_symbols(["漢字漢字漢字,I 0.0,BOOL,漢字\n", "Motor,I 0.1,BOOL,\n"].map(str::to_owned).into_iter());
+    played.scan_and_look();
+    let shown = drawn(&played.look, &played.screen, (80, 24));
+    // A cell after a wide character has a space of its own, so cells are compared, not characters of a line.
+    let address = |y: u16| (1..40).find(|&x| (0..5).map(|at| shown[(x + at, y)].symbol()).collect::<String>() == format!("I 0.{}", y - 2));
+    assert!(address(2).is_some() && address(2) == address(3), "{}", text(&shown));
+    let frames = |y: u16| [0, 41, 42, 79].map(|x| shown[(x, y)].symbol().to_owned());
+    assert_eq!([frames(2), frames(3)], [["│"; 4].map(str::to_owned), ["│"; 4].map(str::to_owned)], "{}", text(&shown));
+}
+
+#[test]
+fn the_help_is_whole_on_the_least_terminal() {
+    let mut played = at_moment("tank", 1_000);
+    played.screen.over = Over::Help;
+    for language in [Language::English, Language::German] {
+        played.screen.language = language;
+        let shown = text(&drawn(&played.look, &played.screen, (80, 24)));
+        for (_, words) in words::HELP {
+            assert!(shown.contains(played.screen.word(*words)), "{words:?}\n{shown}");
+        }
     }
 }
 
