@@ -1,6 +1,7 @@
 //! The one screen of `run`, `demo` and `top`: what a run is asked for, what is drawn of it, what keys do.
 
 mod asks;
+mod columns;
 mod demo;
 mod digits;
 mod draw;

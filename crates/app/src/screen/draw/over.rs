@@ -8,7 +8,7 @@ use ratatui::widgets::{Clear, Paragraph};
 use sieben_workspace::session::Language;
 
 use super::Scene;
-use super::columns::{columns, padded};
+use crate::screen::columns::{columns, padded};
 use crate::screen::menu::{Choice, Menu};
 use crate::screen::state::Over;
 use crate::screen::words;

@@ -269,6 +269,19 @@ fn every_terminal_is_in_the_picture() {
     }
 }
 
+/// A long symbol of wide characters ends with dots where its column ends.
+#[test]
+fn wide_symbols_end_in_their_column() {
+    let row = MOMENTS.iter().find(|row| row.kind == "conveyor").expect("a moment");
+    let (mut plant, moment) = look(row);
+    plant.symbols = (0..5).map(|bit| (format!("I 0.{bit}"), "非常停止押釦安全回路確認済".to_owned())).collect();
+    let least = size(plant.kind).least;
+    let picture = drawn(&plant, moment, least);
+    // A cell is a character here, and the outputs stand in the right half.
+    let ends: Vec<usize> = picture.lines().filter_map(|line| line.chars().position(|cell| cell == '…')).collect();
+    assert!(ends.len() == 5 && ends.iter().all(|&end| end <= usize::from(least.width / 2)), "{ends:?}\n{picture}");
+}
+
 fn any_look() -> impl Strategy<Value = (PlantLook, Moment)> {
     let numbers = || {
         prop_oneof![
