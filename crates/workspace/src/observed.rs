@@ -190,8 +190,13 @@ impl Observed {
     /// Notes another mode: a key, a request or the program may have caused it.
     pub(crate) fn see_mode(&self, plant: &Plant) {
         let mode = plant.cpu.mode();
-        let before = self.mode.swap(mode as u8, Ordering::Relaxed);
-        if before != mode as u8 && before != NO_MODE {
+        // Only the thread that scans writes it.
+        let before = self.mode.load(Ordering::Relaxed);
+        if before == mode as u8 {
+            return;
+        }
+        self.mode.store(mode as u8, Ordering::Relaxed);
+        if before != NO_MODE {
             self.note(plant, format!("CPU in {mode}"));
         }
     }
