@@ -353,6 +353,7 @@ fn what_the_screen_asks_for_is_there_for_everyone() {
     let press = json!({ "verb": "press", "items": ["I0.0", "I0.1", "MW20"], "ms": 100 });
     let pressed = client.ask(press.clone());
     assert_eq!((&pressed["done"], &pressed["items"][2]["error"]["code"]), (&json!(2), &json!("P7104")), "{pressed}");
+    client.ask(press);
     // Also where another client asks for it by another name.
     run.client().ask(json!({ "verb": "press", "items": ["E0.0", "E 0.1"], "ms": 200 }));
     client.ask(json!({ "verb": "time", "time": "step", "scans": 3 }));
