@@ -1,6 +1,7 @@
 //! Where the panels of the screen stand, for every size of a terminal.
 
-use ratatui::layout::{Constraint, Layout, Rect};
+use ratatui::layout::Constraint::{self, Fill, Length};
+use ratatui::layout::{Layout, Rect};
 
 use super::MIN_WIDTH;
 use crate::screen::plants::Sizes;
@@ -54,8 +55,6 @@ fn rows<const N: usize>(area: Rect, heights: [Constraint; N]) -> [Rect; N] {
 fn columns<const N: usize>(area: Rect, widths: [Constraint; N]) -> [Rect; N] {
     Layout::horizontal(widths).areas(area)
 }
-
-use Constraint::{Fill, Length};
 
 /// The panels with their places; `plant` is what the picture of the plant takes, `part` what the changing part shows.
 pub(super) fn panels(area: Rect, plant: Option<Sizes>, part: Part) -> Vec<(Panel, Rect)> {
