@@ -61,7 +61,8 @@ impl Failure {
     }
 }
 
-const ERROR: Text = ["Error", "Fehler"];
+/// What stands before an error.
+pub(crate) const ERROR: Text = ["Error", "Fehler"];
 /// What stands before a help.
 pub(crate) const HELP: Text = ["Help", "Hilfe"];
 

@@ -1,6 +1,7 @@
 //! The language that people are spoken to in: that of `--lang`, else that of the environment.
 
 use std::ffi::OsString;
+use std::ops::Range;
 use std::sync::OnceLock;
 
 use sieben_model::language::Language;
@@ -45,18 +46,19 @@ pub(crate) fn argument(text: &str) -> Result<Language, String> {
 }
 
 fn named_in(arguments: impl Iterator<Item = OsString>) -> Option<Language> {
-    let mut words = arguments.map(|word| word.to_string_lossy().into_owned()).take_while(|word| word != "--");
-    while let Some(word) = words.next() {
-        let code = match word.strip_prefix("--lang") {
-            Some("") => words.next(),
-            Some(rest) => rest.strip_prefix('=').map(str::to_owned),
-            None => None,
+    let words: Vec<String> = arguments.map(|word| word.to_string_lossy().into_owned()).take_while(|word| word != "--").collect();
+    Some(option(&words)?.1)
+}
+
+/// Where `--lang` stands among words with a language, and which.
+pub(crate) fn option(words: &[String]) -> Option<(Range<usize>, Language)> {
+    words.iter().enumerate().find_map(|(at, word)| {
+        let (code, count) = match word.strip_prefix("--lang")? {
+            "" => (words.get(at + 1)?.as_str(), 2),
+            rest => (rest.strip_prefix('=')?, 1),
         };
-        if let Some(language) = code.and_then(|code| Language::from_code(&code)) {
-            return Some(language);
-        }
-    }
-    None
+        Some((at..at + count, Language::from_code(code)?))
+    })
 }
 
 fn of_environment() -> Language {

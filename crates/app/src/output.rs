@@ -54,7 +54,7 @@ fn json_text(value: &serde_json::Value, indented: bool) -> String {
     text
 }
 
-/// Prints messages. Nobody can be told if that fails, so a failure is dropped.
+/// Prints messages. A failure is dropped: there is no other place to report it.
 pub(crate) fn message(text: &str) {
     styled(&visible(text));
 }

@@ -39,7 +39,6 @@ pub(crate) fn render(findings: &[Finding], texts: &Texts, colour: bool, language
 const AND_MORE: Text = ["… and {0} more; `--json` lists all of them.\n", "… und {0} weitere; `--json` zeigt alle.\n"];
 const SAYS_MORE: Text = ["{0}. `sieben explain {1}` says more.\n", "{0}. `sieben explain {1}` sagt mehr dazu.\n"];
 const HERE: Text = ["here", "hier"];
-const ERROR: Text = ["Error", "Fehler"];
 const WARNING: Text = ["Warning", "Warnung"];
 /// Stands before the help while ariadne draws it, whose word for it is always the same: no source has this character where that word is.
 const HELP_BEGINS: char = '\u{E007}';
@@ -74,7 +73,7 @@ fn count(findings: &[Finding], language: Language) -> String {
 fn render_one(finding: &Finding, cache: &mut TextCache<'_>, colour: bool, language: Language, out: &mut Vec<u8>) {
     let diagnostic = &finding.diagnostic;
     let (kind, word, shade) = match finding.severity() {
-        Severity::Error => (ReportKind::Error, ERROR, Color::Red),
+        Severity::Error => (ReportKind::Error, failure::ERROR, Color::Red),
         Severity::Warning => (ReportKind::Warning, WARNING, Color::Yellow),
     };
     let help = help_in(language, diagnostic);
@@ -128,7 +127,7 @@ fn in_words(drawn: &str, word: Text, language: Language) -> String {
 fn render_plain(finding: &Finding, texts: &Texts, colour: bool, language: Language, out: &mut Vec<u8>) {
     let diagnostic = &finding.diagnostic;
     let (word, shade) = match finding.severity() {
-        Severity::Error => (ERROR, "\x1b[31m"),
+        Severity::Error => (failure::ERROR, "\x1b[31m"),
         Severity::Warning => (WARNING, "\x1b[33m"),
     };
     let word = pick(language, word);

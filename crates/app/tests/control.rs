@@ -36,6 +36,11 @@ A I 0.0; = Q 0.0;
 END_ORGANIZATION_BLOCK
 FUNCTION FC 2 : VOID
 BEGIN
+NETWORK
+// NETWORK 7 of the manual
+NETWORK
+TITLE = The end
+NOP 0; // TITLE = none of a NETWORK
 CALL SFC 46;
 END_FUNCTION
 ";
@@ -310,6 +315,10 @@ fn what_the_screen_asks_for_is_there_for_everyone() {
     assert_eq!(listing["lines"][5]["file"].as_str().map(|file| file.ends_with("main.awl")), Some(true), "{listing}");
     let part = client.ask(json!({ "verb": "listing", "block": "FC 1", "from": 2 }));
     assert_eq!(part["lines"].as_array().map(Vec::len), Some(2), "{part}");
+    // Networks are those of the program, whatever its comments say.
+    let listing = client.ask(json!({ "verb": "listing", "block": "FC 2" }));
+    let lines: Vec<&Value> = listing["lines"].as_array().into_iter().flatten().collect();
+    assert_eq!((lines.len(), lines.first()), (3, Some(&&json!({ "network": 2, "title": "The end" }))), "{listing}");
     for block in ["FC 77", "DB 1", "SFC 46"] {
         assert_eq!(client.ask(json!({ "verb": "listing", "block": block }))["error"]["code"], "P7095", "{block}");
     }
@@ -345,6 +354,8 @@ fn what_the_screen_asks_for_is_there_for_everyone() {
     let pressed = client.ask(press.clone());
     assert_eq!((&pressed["done"], &pressed["items"][2]["error"]["code"]), (&json!(2), &json!("P7104")), "{pressed}");
     client.ask(press);
+    // Also where another client asks for it by another name.
+    run.client().ask(json!({ "verb": "press", "items": ["E0.0", "E 0.1"], "ms": 200 }));
     client.ask(json!({ "verb": "time", "time": "step", "scans": 3 }));
     assert_eq!((client.value("I0.0"), client.value("I0.1")), (json!(1), json!(0)));
     client.ask(json!({ "verb": "time", "time": "step", "scans": 12 }));

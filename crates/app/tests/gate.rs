@@ -4,7 +4,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
-use sieben_cpu::{Cpu, Interrupt, IoModule, OperatingMode, Rack, Requester, Restart, Settings, Station, TimeSource};
+use sieben_cpu::{Cpu, IoModule, OperatingMode, Rack, Requester, Restart, Settings, Station, TimeSource};
 use sieben_model::address::Area;
 use sieben_model::block::BlockId;
 use sieben_model::cpu_type::CpuType;
@@ -18,6 +18,9 @@ use sieben_workspace::{Driver, End, Gate, Pace, Plant, Speed, Surroundings};
 
 #[allow(dead_code)] // The pages need more of it.
 mod program;
+mod wild;
+
+use wild::{Alarms, Wild};
 
 /// Counts scans twice, with work between: whoever looks inside a scan sees two different numbers. What comes in as two equal words has to be
 /// equal for the whole scan.
@@ -43,35 +46,6 @@ struct Around {
 impl Surroundings for &Around {
     fn is_ended(&self) -> bool {
         self.over.load(Ordering::Relaxed)
-    }
-}
-
-/// A module that cannot be copied: its inputs count what it is told and how time passes, and it raises interrupts.
-struct Wild(u8, u32);
-
-impl IoModule for Wild {
-    fn name(&self) -> &str {
-        "wild"
-    }
-    fn inputs(&self) -> std::ops::Range<u32> {
-        0..2
-    }
-    fn outputs(&self) -> std::ops::Range<u32> {
-        0..2
-    }
-    fn read(&self, _: u32, into: &mut [u8]) {
-        into.fill(self.0);
-    }
-    fn write(&mut self, _: u32, from: &[u8]) {
-        self.0 = self.0.wrapping_mul(31).wrapping_add(from[0]) | 1;
-        self.1 += 1;
-    }
-    fn advance(&mut self, dt_us: u64) {
-        self.0 = self.0.wrapping_add(dt_us as u8);
-    }
-    fn alarms(&mut self) -> Vec<Interrupt> {
-        let due = std::mem::take(&mut self.1) > 1;
-        due.then(|| Interrupt::hardware(0, sieben_cpu::interrupts::ModuleAddress::Input(0), 7)).into_iter().collect()
     }
 }
 
@@ -437,7 +411,7 @@ END_ORGANIZATION_BLOCK
     for (text, cpu_name, is_wild) in
         [(TIMERS, "315-2PN/DP", false), (TIMERS, "416-3", false), (COUNTS, "315-2PN/DP", false), (TIMERS, "416-3", true)]
     {
-        let modules: Vec<Box<dyn IoModule>> = if is_wild { vec![Box::new(Wild(1, 0))] } else { Vec::new() };
+        let modules: Vec<Box<dyn IoModule>> = if is_wild { vec![Box::new(Wild::new(0..2, Alarms::AfterWrites, 1))] } else { Vec::new() };
         let (_, _, samples) = run(cpu_with(text, cpu_name, real_time(), modules), Speed::Factor(1.0), 1_000, |gate, desk| {
             assert!(desk.wait_for_sample(0, Duration::from_millis(60)).is_none(), "nobody looks, nothing is recorded");
             let look = desk.look([fc, ob]);

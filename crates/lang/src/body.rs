@@ -55,6 +55,14 @@ impl CheckedBody {
         ask!(self, block => block.networks())
     }
 
+    /// The titles of its networks, empty where one has none; none in a language without networks.
+    pub fn network_titles(&self) -> &[String] {
+        match self {
+            Self::Stl(block) => &block.titles,
+            Self::St(_) => &[],
+        }
+    }
+
     /// The network of a statement, from 1; that of the end of the block is the last one.
     pub fn network(&self, statement: u32) -> Option<u32> {
         ask!(self, block => block.network(statement))

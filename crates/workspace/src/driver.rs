@@ -277,9 +277,10 @@ impl<'g> Driver<'g> {
         // A CPU in STOP only lets its plants live on.
         let scans = plant.cpu.mode() != OperatingMode::Stop;
         self.surroundings.before_scan(plant);
-        self.desk.scan(plant, clock, self.gate.now_us());
+        let now_us = self.gate.now_us();
+        self.desk.scan(plant, clock, now_us);
         plant.scans += u64::from(scans);
-        self.desk.observed.observe(plant, self.gate.now_us());
+        self.desk.observed.observe(plant, now_us);
         let took_us = plant.cpu.cycle_times().execution_last;
         // In virtual time nothing is measured.
         if scans && took_us > 0 {

@@ -4,6 +4,7 @@
 //! read belongs to one scan, what is written falls between two. There is no queue of requests and no copy of an area. The scan has right of
 //! way: no thread comes in that could delay it, and one that is in lets go after a portion.
 
+use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicBool, AtomicU32, AtomicU64, Ordering};
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
@@ -46,6 +47,8 @@ pub struct Plant {
     pub(crate) stays_in_stop: bool,
     /// Whether something was changed since the last step of the CPU.
     pub(crate) touched: bool,
+    /// Input bits that clients have pressed, by byte and number, and until when in the CPU's time.
+    pub(crate) pressed: BTreeMap<(u32, u8), u64>,
 }
 
 impl Plant {
@@ -60,6 +63,7 @@ impl Plant {
             waits_in_stop: false,
             stays_in_stop: false,
             touched: false,
+            pressed: BTreeMap::new(),
         }
     }
 

@@ -18,8 +18,8 @@ pub const WATCHED_MAX: usize = crate::gate::ITEMS_MAX;
 const LOOK_US: u64 = 5_000_000;
 /// A value of more than a bit that changes again sooner than this, in microseconds of the CPU's time, is on the move …
 const MOVES_US: u64 = 250_000;
-/// … and told of only so often.
-const TELL_US: u64 = 1_000_000;
+/// … and reported only so often.
+const REPORT_US: u64 = 1_000_000;
 /// The digits of a time of S5TIME: 0 there is a timer that has run off.
 const TIME_DIGITS: u64 = 0x0FFF;
 /// No mode was seen yet.
@@ -38,7 +38,7 @@ pub struct Watched {
     pub item: Item,
 }
 
-/// Something worth telling.
+/// Something that is reported.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Entry {
     /// Its running number, from 1.
@@ -60,7 +60,7 @@ pub enum Event {
         name: String,
         /// `Q 0.0`.
         address: String,
-        /// The value that was told of before, as people read it.
+        /// The value that was reported before, as people read it.
         before: String,
         /// The value now.
         after: String,
@@ -71,12 +71,12 @@ pub enum Event {
     Note(String),
 }
 
-/// A watched value as it was told of last.
+/// A watched value as it was reported last.
 #[derive(Clone, Debug, Default)]
 struct Seen {
-    told: Option<Value>,
+    reported: Option<Value>,
     /// When that was.
-    told_us: u64,
+    reported_us: u64,
     /// As it was at the last look, and when it changed last.
     last: Option<Value>,
     changed_us: u64,
@@ -98,44 +98,43 @@ impl Observer {
         Self { seen: vec![Seen::default(); watched.len()], items, watched }
     }
 
-    /// Forgets all values: the next look tells of no change.
+    /// Forgets all values: the next look finds no change.
     fn forget(&mut self) {
         self.seen.fill(Seen::default());
     }
 
     /// Compares all values with those of the look before.
-    pub fn observe(&mut self, station: &dyn Station, time_us: u64, tell: &mut dyn FnMut(Event)) {
+    pub fn observe(&mut self, station: &dyn Station, time_us: u64, report: &mut dyn FnMut(Event)) {
         let values = station.read_items(&self.items);
         for ((watched, seen), value) in self.watched.iter().zip(&mut self.seen).zip(values) {
             let Ok(value) = value else { continue };
             let Some(last) = seen.last.replace(value.clone()) else {
-                (seen.told, seen.told_us) = (Some(value), time_us);
+                (seen.reported, seen.reported_us) = (Some(value), time_us);
                 continue;
             };
             let moves = last != value && time_us.saturating_sub(seen.changed_us) < MOVES_US;
             if last != value {
                 seen.changed_us = time_us;
             }
-            let Some(told) = &seen.told else { continue };
-            if *told == value || !is_news(told, &value, moves, time_us.saturating_sub(seen.told_us)) {
+            let Some(reported) = &seen.reported else { continue };
+            if *reported == value || !is_news(reported, &value, moves, time_us.saturating_sub(seen.reported_us)) {
                 continue;
             }
-            let (before, after) = (told.shown().readable(), value.shown().readable());
-            (seen.told, seen.told_us) = (Some(value), time_us);
+            let (before, after) = (reported.shown().readable(), value.shown().readable());
+            (seen.reported, seen.reported_us) = (Some(value), time_us);
             let Watched { name, address, comment, .. } = watched.clone();
-            tell(Event::Change { name, address, before, after, comment });
+            report(Event::Change { name, address, before, after, comment });
         }
     }
 }
 
-/// Whether a value that differs from the one that was told of last is worth telling: of a timer its start and its end, of what moves one value a
-/// second.
-fn is_news(told: &Value, now: &Value, moves: bool, since_us: u64) -> bool {
+/// Whether a value that differs from the one that was reported last is reported: of a timer its start and its end, of what moves one value a second.
+fn is_news(reported: &Value, now: &Value, moves: bool, since_us: u64) -> bool {
     let left = |value: &Value| value.content.bits().unwrap_or_default() & TIME_DIGITS;
     match now.kind {
         Kind::Bit => true,
-        Kind::TimeLeft => (left(told) == 0) != (left(now) == 0),
-        _ => !moves && since_us >= MOVES_US || since_us >= TELL_US,
+        Kind::TimeLeft => (left(reported) == 0) != (left(now) == 0),
+        _ => !moves && since_us >= MOVES_US || since_us >= REPORT_US,
     }
 }
 
@@ -191,8 +190,13 @@ impl Observed {
     /// Notes another mode: a key, a request or the program may have caused it.
     pub(crate) fn see_mode(&self, plant: &Plant) {
         let mode = plant.cpu.mode();
-        let before = self.mode.swap(mode as u8, Ordering::Relaxed);
-        if before != mode as u8 && before != NO_MODE {
+        // Only the thread that scans writes it.
+        let before = self.mode.load(Ordering::Relaxed);
+        if before == mode as u8 {
+            return;
+        }
+        self.mode.store(mode as u8, Ordering::Relaxed);
+        if before != NO_MODE {
             self.note(plant, format!("CPU in {mode}"));
         }
     }
@@ -256,31 +260,31 @@ mod tests {
     }
 
     /// Changes of a word that has these values, one each 10 ms.
-    fn told(values: impl IntoIterator<Item = u32>) -> Vec<(u64, String, String)> {
+    fn reported(values: impl IntoIterator<Item = u32>) -> Vec<(u64, String, String)> {
         let mut plant = plant();
         let mut observer = Observer::new(vec![watched("MW 10")]);
         let operand = Operand::parse("MW 10").expect("an address");
-        let mut told = Vec::new();
+        let mut reported = Vec::new();
         for (time_us, value) in (0..).step_by(10_000).zip(values) {
             plant.cpu.modify(&operand, value).expect("bit memory");
             observer.observe(&plant.cpu, time_us, &mut |event| {
                 if let Event::Change { before, after, .. } = event {
-                    told.push((time_us / 1_000, before, after));
+                    reported.push((time_us / 1_000, before, after));
                 }
             });
         }
-        told
+        reported
     }
 
     #[test]
-    fn what_moves_is_told_of_once_a_second_and_what_jumps_at_once() {
-        let moving = told(0..250);
+    fn what_moves_is_reported_once_a_second_and_what_jumps_at_once() {
+        let moving = reported(0..250);
         assert_eq!(moving.iter().map(|(ms, ..)| *ms).collect::<Vec<_>>(), [1_000, 2_000]);
         assert_eq!(moving[1].1, moving[0].2, "each change begins where the one before ended");
-        let jumping = told((0..100).map(|scan| scan / 40));
+        let jumping = reported((0..100).map(|scan| scan / 40));
         assert_eq!(jumping.iter().map(|(ms, ..)| *ms).collect::<Vec<_>>(), [400, 800]);
-        // What has come to rest is told of, too.
-        assert_eq!(told((0..300).map(|scan: u32| scan.min(20))).len(), 1);
+        // What has come to rest is reported, too.
+        assert_eq!(reported((0..300).map(|scan: u32| scan.min(20))).len(), 1);
     }
 
     #[test]

@@ -2,7 +2,7 @@
 //!
 //! A run is a row of stretches. Each begins with a snapshot of the CPU; what follows is what the clock showed and what modules said that
 //! cannot be copied, a few bytes a scan. Whatever comes in through the gate to change something begins a new stretch, so that nothing of it has to be known.
-//! A scan is reached by replaying its stretch in the interpreter, on the thread of whoever looks.
+//! A scan is reached by replaying its stretch in the interpreter, on the thread that looks.
 
 use std::collections::VecDeque;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -54,6 +54,14 @@ impl Stretch {
     /// Where the CPU is after so many steps.
     fn mark(&self, steps: usize) -> Mark {
         steps.checked_sub(1).and_then(|last| self.marks.get(last)).copied().unwrap_or(self.begins)
+    }
+
+    /// Whether the next step of a CPU belongs to it.
+    fn goes_on(&self, plant: &Plant) -> bool {
+        self.marks.len() < STEPS_MAX
+            && !self.recording.is_full()
+            && self.recording.is_of(plant.cpu.program())
+            && plant.cpu.time_us().saturating_sub(self.begins.time_us) < STRETCH_US
     }
 }
 
@@ -195,15 +203,6 @@ impl Past {
     }
 }
 
-impl Stretch {
-    fn goes_on(&self, plant: &Plant) -> bool {
-        self.marks.len() < STEPS_MAX
-            && !self.recording.is_full()
-            && self.recording.is_of(plant.cpu.program())
-            && plant.cpu.time_us().saturating_sub(self.begins.time_us) < STRETCH_US
-    }
-}
-
 impl Kept {
     fn close(&mut self, stretch: Arc<Stretch>) {
         self.bytes += stretch.recording.bytes();
@@ -235,7 +234,7 @@ impl Viewer {
         self.look(past, scan, None)
     }
 
-    /// As [`Self::at`], with a tracer that is told each statement of the scan.
+    /// As [`Self::at`], with a tracer that gets each statement of the scan.
     ///
     /// # Errors
     /// The scan is not kept, or cannot be replayed.

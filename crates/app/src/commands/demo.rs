@@ -155,9 +155,9 @@ fn print_changes(demo: &Demo) -> Result<(), Failure> {
         assignment::text(&demo.symbols)
     ))?;
     let mut printed = Ok(());
-    demo.scan(Some(&mut |entry| {
+    demo.scan(Some(&mut |line| {
         if printed.is_ok() {
-            printed = output::print(&screen::line(entry));
+            printed = output::print(line);
             if printed.is_err() {
                 demo.end();
             }

@@ -105,14 +105,8 @@ pub(crate) struct Arguments {
 impl Arguments {
     /// The language that is named among the words, which may begin with a hyphen, as `-R` does.
     pub(crate) fn take_language(&mut self) -> Option<Language> {
-        let at = self.words.iter().position(|word| word == "--lang" || word.starts_with("--lang="))?;
-        let (first, second) = (self.words.get(at)?, self.words.get(at + 1));
-        let (code, count) = match first.strip_prefix("--lang=") {
-            Some(code) => (code, 1),
-            None => (second?.as_str(), 2),
-        };
-        let language = Language::from_code(code)?;
-        self.words.drain(at..at + count);
+        let (place, language) = language::option(&self.words)?;
+        self.words.drain(place);
         Some(language)
     }
 }

@@ -9,7 +9,7 @@ use std::time::{Duration, Instant, SystemTime};
 
 use clap::Args;
 use serde_json::json;
-use sieben_cpu::{Cpu, DateAndTime, OperatingMode, Settings, StopRequest, TimeSource};
+use sieben_cpu::{Cpu, DateAndTime, OperatingMode, Restart, Settings, StopRequest, TimeSource};
 use sieben_jit::StatusBits;
 use sieben_model::problems::Problem;
 use sieben_model::visible::visible;
@@ -18,7 +18,7 @@ use sieben_workspace::controller;
 use sieben_workspace::duration;
 use sieben_workspace::failed::{self, Failed};
 use sieben_workspace::gate::Clock;
-use sieben_workspace::observed::{Entry, Observer};
+use sieben_workspace::observed::Observer;
 use sieben_workspace::project::Build;
 use sieben_workspace::status::Desk;
 use sieben_workspace::{Driver, Gate, Pace, Plant, Speed, Surroundings};
@@ -167,7 +167,7 @@ pub(crate) fn run_as(verb: Verb, mut arguments: RunArguments) -> Result<Exit, Fa
     let clock = real_clock();
     let facts = Arc::new(CurrentFacts::new(Facts::of(&build, cpu.program())));
     let pace = Pace::new(arguments.speed, cycle_us, arguments.duration.map_or(u64::MAX, duration::micros), clock());
-    let ending = Ending { request: cpu.stop_request(), presses: Arc::default() };
+    let request = cpu.stop_request();
     let mut plant = Plant::new(cpu, pace);
     // With an end of its own a run is an experiment, whose STOP is its result.
     let stays = (prepared.is_some() || prepared_page.is_some()) && arguments.duration.is_none();
@@ -175,9 +175,8 @@ pub(crate) fn run_as(verb: Verb, mut arguments: RunArguments) -> Result<Exit, Fa
         plant.stay_in_stop();
     }
     let gate = Arc::new(Gate::new(plant, clock));
-    let ending = Arc::new((ending, Arc::clone(&gate)));
+    let ending = Arc::new(Ending { request, gate: Arc::clone(&gate), presses: AtomicUsize::new(0) });
     watch_for_interrupt(&ending)?;
-    let presses = Arc::clone(&ending.0.presses);
     let shown = Shown::of(verb, arguments);
     if !arguments.json {
         let name = project.name.as_deref().map_or_else(String::new, |name| format!(" `{name}`"));
@@ -239,8 +238,8 @@ pub(crate) fn run_as(verb: Verb, mut arguments: RunArguments) -> Result<Exit, Fa
         output::message(&format!("Metrics are at http://{}/metrics.\n", metrics.address()));
     }
     let quiet = arguments.json;
-    let observer = (shown == Shown::Changes).then(|| Observer::new(watched(&facts.facts())));
-    let plain = observer.map(|observer| Plain { observer, told: 0 });
+    let changes = (shown == Shown::Changes).then(|| Observer::new(watched(&facts.facts())));
+    let asks = (shown == Shown::Screen).then(|| Direct::new(&gate, &desk, &facts));
     let (failed, say) = (None, Say { desk: &desk, shown });
     let mut around = Around {
         retention,
@@ -252,29 +251,11 @@ pub(crate) fn run_as(verb: Verb, mut arguments: RunArguments) -> Result<Exit, Fa
         stays,
         failed,
         say,
-        plain,
-        presses: &presses,
+        changes,
+        ending: &ending,
         is_broken: false,
     };
-    let is_over = AtomicBool::new(false);
-    let drawn = thread::scope(|scope| {
-        let screen = (shown == Shown::Screen).then(|| {
-            let (over, asks) = (|| is_over.load(Ordering::Relaxed), Direct::new(&gate, &desk, &facts));
-            let (desk, ending) = (&desk, &ending);
-            // It is enough that one thread replays: with a control socket there is one already.
-            let is_over = &is_over;
-            let _ =
-                thread::Builder::new().name("status".to_owned()).spawn_scoped(scope, || desk.replay(|| is_over.load(Ordering::Relaxed)));
-            thread::Builder::new().name("screen".to_owned()).spawn_scoped(scope, move || show(asks, desk, ending, &over))
-        });
-        Driver::new(&gate, &desk, &mut around).run(arguments.retain.restart);
-        is_over.store(true, Ordering::Relaxed);
-        match screen {
-            // A panic of the thread was reported where it happened.
-            Some(screen) => screen.and_then(|screen| screen.join().unwrap_or(Ok(()))),
-            None => Ok(()),
-        }
-    });
+    let drawn = drive(&mut around, &desk, asks, arguments.retain.restart);
     let Around { mut retention, watch, failed, .. } = around;
     drawn.map_err(|error| terminal::broken(&error))?;
     drop(metrics);
@@ -291,7 +272,7 @@ pub(crate) fn run_as(verb: Verb, mut arguments: RunArguments) -> Result<Exit, Fa
         let count = plant.cpu.failed_statements().count;
         let failed = failed.map(|first| first.in_all(count)).or_else(|| Failed::of(&build, &plant.cpu));
         let time_us = plant.pace.time_us(gate.now_us()).min(plant.pace.end_us);
-        let outcome = Outcome { scans: plant.scans, time_us, interrupted: presses.load(Ordering::Relaxed) > 0, stays };
+        let outcome = Outcome { scans: plant.scans, time_us, interrupted: ending.is_wanted(), stays };
         report(arguments, &build, &plant.cpu, &outcome, failed.as_ref(), retention.as_ref(), watch.as_ref())
     })
 }
@@ -308,28 +289,56 @@ pub(crate) fn now() -> DateAndTime {
     DateAndTime::from_ms_since_1970(since_1970.as_millis() as u64)
 }
 
+/// Scans until the run is over; meanwhile a screen asks, if there is one.
+fn drive(around: &mut Around<'_>, desk: &Desk, asks: Option<Direct>, restart: Restart) -> io::Result<()> {
+    let ending = around.ending;
+    let has_ended = AtomicBool::new(false);
+    let is_over = || has_ended.load(Ordering::Relaxed);
+    let is_over = &is_over;
+    thread::scope(|scope| {
+        let screen = asks.map(|asks| {
+            // It is enough that one thread replays: with a control socket there is one already.
+            let _ = thread::Builder::new().name("status".to_owned()).spawn_scoped(scope, || desk.replay(is_over));
+            thread::Builder::new().name("screen".to_owned()).spawn_scoped(scope, move || show(asks, desk, ending, is_over))
+        });
+        Driver::new(&ending.gate, desk, around).run(restart);
+        has_ended.store(true, Ordering::Relaxed);
+        match screen {
+            // A panic of the thread was reported where it happened.
+            Some(screen) => screen.and_then(|screen| screen.join().unwrap_or(Ok(()))),
+            None => Ok(()),
+        }
+    })
+}
+
 /// How a run is ended from outside: Ctrl-C, a signal, the key of the screen.
 struct Ending {
     request: StopRequest,
+    gate: Arc<Gate>,
     /// How often it was asked for.
-    presses: Arc<AtomicUsize>,
+    presses: AtomicUsize,
 }
 
 impl Ending {
     /// Asks the CPU for STOP at its next safe point and ends the run; how often that was asked for before.
-    fn end(&self, gate: &Gate) -> usize {
+    fn end(&self) -> usize {
         let before = self.presses.fetch_add(1, Ordering::SeqCst);
         self.request.stop();
-        gate.wake();
+        self.gate.wake();
         before
+    }
+
+    /// Whether it was asked for.
+    fn is_wanted(&self) -> bool {
+        self.presses.load(Ordering::Relaxed) > 0
     }
 }
 
 /// From now on Ctrl-C ends the run; a second one ends the process.
-fn watch_for_interrupt(ending: &Arc<(Ending, Arc<Gate>)>) -> Result<(), Failure> {
+fn watch_for_interrupt(ending: &Arc<Ending>) -> Result<(), Failure> {
     let ending = Arc::clone(ending);
     ctrlc::set_handler(move || {
-        if ending.0.end(&ending.1) > 0 {
+        if ending.end() > 0 {
             terminal::give_back();
             std::process::exit(INTERRUPTED);
         }
@@ -361,15 +370,14 @@ impl Shown {
 }
 
 /// The screen, until the user leaves or the run is over; with it the run ends.
-fn show(mut asks: Direct, desk: &Desk, ending: &(Ending, Arc<Gate>), is_over: &(dyn Fn() -> bool + Sync)) -> io::Result<()> {
-    let (ending, gate) = ending;
+fn show(mut asks: Direct, desk: &Desk, ending: &Ending, is_over: &(dyn Fn() -> bool + Sync)) -> io::Result<()> {
     let note = |text: &str| {
         // A run that is over has no use for it.
-        let _ = gate.enter(|plant| desk.observed.note(plant, text));
+        let _ = ending.gate.enter(|plant| desk.observed.note(plant, text));
     };
     let left = screen::show(&mut asks, &mut Screen::spoken(), Palette::wanted(), &screen::Around { is_over, note: &note });
     if !is_over() {
-        ending.end(gate);
+        ending.end();
     }
     left.map(drop)
 }
@@ -400,9 +408,9 @@ struct Around<'a> {
     /// The first statement that failed, with its place in the program that ran then.
     failed: Option<Failed>,
     say: Say<'a>,
-    /// Prints what changed.
-    plain: Option<Plain>,
-    presses: &'a AtomicUsize,
+    /// Finds what changed, where that is printed.
+    changes: Option<Observer>,
+    ending: &'a Ending,
     /// What is printed cannot be printed any more.
     is_broken: bool,
 }
@@ -423,25 +431,6 @@ impl Say<'_> {
             }
             Shown::Changes | Shown::Messages => output::styled(text),
         }
-    }
-}
-
-/// Prints a line for each change.
-struct Plain {
-    observer: Observer,
-    told: u64,
-}
-
-impl Plain {
-    fn print(&mut self, plant: &Plant) -> Result<(), Failure> {
-        let time_us = plant.cpu.time_us();
-        let mut events = Vec::new();
-        self.observer.observe(&plant.cpu, time_us, &mut |event| events.push(event));
-        for event in events {
-            self.told += 1;
-            output::print(&screen::line(&Entry { number: self.told, scan: plant.scans, time_us, event }))?;
-        }
-        Ok(())
     }
 }
 
@@ -480,20 +469,21 @@ impl Surroundings for Around<'_> {
     fn before_scan(&mut self, plant: &mut Plant) {
         // The first look is at what was before the first scan.
         if plant.scans == 0
-            && let Some(plain) = &mut self.plain
+            && let Some(changes) = &mut self.changes
         {
-            plain.observer.observe(&plant.cpu, 0, &mut |_| {});
+            changes.observe(&plant.cpu, 0, &mut |_| {});
         }
     }
 
     fn after_scan(&mut self, plant: &mut Plant) {
-        if let Some(plain) = &mut self.plain {
-            self.is_broken |= plain.print(plant).is_err();
+        if let Some(changes) = &mut self.changes {
+            let lines = screen::changed(changes, plant, plant.cpu.time_us());
+            self.is_broken |= lines.iter().any(|line| output::print(line).is_err());
         }
     }
 
     fn is_ended(&self) -> bool {
-        self.presses.load(Ordering::Relaxed) > 0 || self.is_broken
+        self.ending.is_wanted() || self.is_broken
     }
 }
 
@@ -501,8 +491,8 @@ impl Around<'_> {
     /// Another program runs from now on.
     fn replace_facts(&mut self, cpu: &Cpu) {
         self.facts.replace(Facts::of(self.build, cpu.program()));
-        if let Some(plain) = &mut self.plain {
-            plain.observer = Observer::new(watched(&self.facts.facts()));
+        if let Some(changes) = &mut self.changes {
+            *changes = Observer::new(watched(&self.facts.facts()));
         }
     }
 
@@ -543,7 +533,7 @@ fn report(
     retention: Option<&Retention>,
     watch: Option<&Watch>,
 ) -> Result<Exit, Failure> {
-    // A STOP that somebody asked for before Ctrl-C ended the run is no failure of the program.
+    // A STOP that was asked for before Ctrl-C ended the run is no failure of the program.
     let stopped = cpu
         .stop_cause()
         .filter(|_| cpu.mode() == OperatingMode::Stop)

@@ -11,7 +11,7 @@ use sieben_workspace::status::Desk;
 
 use crate::control::Client;
 
-/// Someone who answers the requests of the control socket.
+/// Answers the requests of the control socket.
 pub(crate) trait Asks {
     /// Asks and waits for the answer.
     ///

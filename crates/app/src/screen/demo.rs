@@ -1,4 +1,4 @@
-//! The demo at work: the dosing example on a CPU behind a gate, the thread that scans it, and the operator who goes along.
+//! The demo at work: the dosing example on a CPU behind a gate, the thread that scans it, and its operator.
 
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -12,13 +12,14 @@ use sieben_model::symbols::SymbolTable;
 use sieben_workspace::control::{CurrentFacts, Facts, watched};
 use sieben_workspace::finding;
 use sieben_workspace::gate::Clock;
-use sieben_workspace::observed::{Entry, Event, Observer};
+use sieben_workspace::observed::{Event, Observer};
 use sieben_workspace::pace::Missed;
 use sieben_workspace::project::{Build, Overrides, Project};
 use sieben_workspace::status::Desk;
 use sieben_workspace::{Closed, Driver, Gate, Pace, Plant, Speed, Surroundings, controller, duration};
 
 use super::operator::{CYCLE_US, Operator, litres};
+use super::plain;
 use super::state::Story;
 use crate::examples::Example;
 
@@ -104,10 +105,10 @@ impl Demo {
         }
     }
 
-    /// Starts the CPU and scans until the time is up or [`Self::end`]; where `tell` wants it, each change is told after the scan that made it. Then
-    /// the gate is closed.
-    pub(crate) fn scan<'s>(&'s self, tell: Option<Tell<'s>>) {
-        Driver::new(&self.gate, &self.desk, &mut Around::new(self, tell)).run(Restart::Warm);
+    /// Starts the CPU and scans until the time is up or [`Self::end`]; `print` gets a line for each change after the scan that made it. Then the
+    /// gate is closed.
+    pub(crate) fn scan<'s>(&'s self, print: Option<Print<'s>>) {
+        Driver::new(&self.gate, &self.desk, &mut Around::new(self, print)).run(Restart::Warm);
         self.gate.close();
     }
 
@@ -135,26 +136,18 @@ impl Demo {
     }
 }
 
-/// Is told of changes.
-type Tell<'t> = &'t mut (dyn FnMut(&Entry) + 't);
+/// Prints a line.
+type Print<'p> = &'p mut (dyn FnMut(&str) + 'p);
 
-/// What stands around the scans: the operator, and a function that is told of changes.
+/// What stands around the scans: the operator, and what prints the changes that it finds.
 struct Around<'s> {
     demo: &'s Demo,
-    tell: Option<(Tell<'s>, Observer)>,
-    told: u64,
+    changes: Option<(Print<'s>, Observer)>,
 }
 
 impl<'s> Around<'s> {
-    fn new(demo: &'s Demo, tell: Option<Tell<'s>>) -> Self {
-        Self { tell: tell.map(|tell| (tell, Observer::new(watched(&demo.facts.facts())))), demo, told: 0 }
-    }
-
-    fn tell(&mut self, plant: &Plant, time_us: u64, event: Event) {
-        if let Some((tell, _)) = &mut self.tell {
-            self.told += 1;
-            tell(&Entry { number: self.told, scan: plant.scans, time_us, event });
-        }
+    fn new(demo: &'s Demo, print: Option<Print<'s>>) -> Self {
+        Self { changes: print.map(|print| (print, Observer::new(watched(&demo.facts.facts())))), demo }
     }
 }
 
@@ -163,7 +156,7 @@ impl Surroundings for Around<'_> {
         self.demo.operator().before_scan(plant);
         // The first look is at what was before the first scan.
         if plant.scans == 0
-            && let Some((_, observer)) = &mut self.tell
+            && let Some((_, observer)) = &mut self.changes
         {
             observer.observe(&plant.cpu, 0, &mut |_| {});
         }
@@ -174,15 +167,11 @@ impl Surroundings for Around<'_> {
         operator.after_scan(plant);
         let (time_us, notes) = (operator.time_us(), operator.take_notes());
         drop(operator);
-        let mut events = Vec::new();
-        if let Some((_, observer)) = &mut self.tell {
-            observer.observe(&plant.cpu, time_us, &mut |event| events.push(event));
+        if let Some((print, observer)) = &mut self.changes {
+            let notes = notes.iter().map(|note| plain::line(plant, time_us, &Event::Note(note.clone())));
+            plain::changed(observer, plant, time_us).into_iter().chain(notes).for_each(|line| print(&line));
         }
-        events.into_iter().for_each(|event| self.tell(plant, time_us, event));
-        for note in notes {
-            self.demo.desk.observed.note(plant, note.clone());
-            self.tell(plant, time_us, Event::Note(note));
-        }
+        notes.into_iter().for_each(|note| self.demo.desk.observed.note(plant, note));
     }
 
     fn is_ended(&self) -> bool {
@@ -196,7 +185,7 @@ mod tests {
     use sieben_cpu::OperatingMode;
     use sieben_sim::wrap::{self, Fault};
     use sieben_workspace::End;
-    use sieben_workspace::observed::ENTRIES_MAX;
+    use sieben_workspace::observed::{ENTRIES_MAX, Entry};
 
     use super::*;
 

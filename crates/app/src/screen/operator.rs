@@ -122,9 +122,7 @@ impl Operator {
     /// Right before a scan, also of a CPU in STOP.
     pub(crate) fn before_scan(&mut self, plant: &mut Plant) {
         self.now_us += CYCLE_US;
-        if self.pressed.is_some_and(|(_, until)| until <= self.now_us)
-            && let Some((button, _)) = self.pressed.take()
-        {
+        if let Some((button, _)) = self.pressed.take_if(|(_, until)| *until <= self.now_us) {
             button.set(plant, false);
         }
     }

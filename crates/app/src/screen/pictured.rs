@@ -1,31 +1,9 @@
 //! A plant as an answer to `plants` has it, made into what its picture is drawn of.
 
-use std::collections::BTreeMap;
-use std::sync::{Arc, Mutex, PoisonError};
-
 use serde_json::Value;
 use sieben_sim::devices::Kind;
 
 use super::plants::PlantLook;
-
-/// Names and units of what plants know that are kept; all kinds together have fewer.
-const NAMES_MAX: usize = 1_000;
-
-/// Names and units that were read.
-static NAMES: Mutex<Vec<&'static str>> = Mutex::new(Vec::new());
-
-/// A name that lives as long as the process; there are as many as kinds of plants have.
-fn kept(name: &str) -> Option<&'static str> {
-    let mut names = NAMES.lock().unwrap_or_else(PoisonError::into_inner);
-    if let Some(known) = names.iter().find(|known| **known == name) {
-        return Some(known);
-    }
-    (names.len() < NAMES_MAX).then(|| {
-        let name: &'static str = Box::leak(name.to_owned().into_boxed_str());
-        names.push(name);
-        name
-    })
-}
 
 /// Bytes as hex digits.
 fn bytes(hex: &Value) -> Vec<u8> {
@@ -43,7 +21,7 @@ pub(super) fn look(plant: &Value) -> Option<PlantLook> {
     let usual = kind.parameters.iter().map(|parameter| parameter.usual);
     parameters.extend(usual.skip(parameters.len()));
     let symbol = |signal: &Value| Some((signal["address"].as_str()?.to_owned(), signal["symbol"].as_str()?.to_owned()));
-    let state = |row: &Value| Some((kept(row["name"].as_str()?)?, row["value"].as_f64()?, kept(row["unit"].as_str()?)?));
+    let state = |row: &Value| Some((row["name"].as_str()?.to_owned(), row["value"].as_f64()?));
     Some(PlantLook {
         kind,
         name: plant["module"].as_str().unwrap_or_default().to_owned(),
@@ -54,6 +32,6 @@ pub(super) fn look(plant: &Value) -> Option<PlantLook> {
         outputs: bytes(&plant["outputs"]),
         state: list("state").filter_map(state).collect(),
         faults: list("acting").filter_map(|fault| fault.as_str().map(str::to_owned)).collect(),
-        symbols: Arc::new(list("signals").filter_map(symbol).collect::<BTreeMap<_, _>>()),
+        symbols: list("signals").filter_map(symbol).collect(),
     })
 }

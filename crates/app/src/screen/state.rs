@@ -13,6 +13,7 @@ use sieben_workspace::session::texts::{Text, fill, pick};
 
 use super::asks::{Asks, Refused, asked};
 use super::look::Look;
+use super::menu::Menu;
 use super::rows::{Driver, Group, Row};
 use super::words;
 
@@ -46,28 +47,6 @@ impl Part {
         Self::ALL[(at + 1) % Self::ALL.len()]
     }
 }
-
-/// A list to choose from that lies over the screen.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Menu {
-    pub(crate) head: Text,
-    pub(crate) kind: Choice,
-    /// What is chosen, and how it is shown.
-    pub(crate) rows: Vec<(String, String)>,
-    pub(crate) at: usize,
-}
-
-/// What a list is for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Choice {
-    /// A fault that is injected, or mended where the row begins with [`MENDS`].
-    Fault,
-    /// The block that is shown.
-    Block,
-}
-
-/// What a row of the menu of faults begins with that mends one.
-const MENDS: &str = "-";
 
 /// What lies over the screen and takes the keys.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -216,11 +195,11 @@ impl Screen {
         }
     }
 
-    fn say(&mut self, text: Text, values: &[&dyn std::fmt::Display]) {
+    pub(super) fn say(&mut self, text: Text, values: &[&dyn std::fmt::Display]) {
         self.said = Some(Said::Done(fill(self.language, text, values)));
     }
 
-    fn refuse(&mut self, text: Text, values: &[&dyn std::fmt::Display]) {
+    pub(super) fn refuse(&mut self, text: Text, values: &[&dyn std::fmt::Display]) {
         self.said = Some(Said::Refused(fill(self.language, text, values)));
     }
 
@@ -229,7 +208,7 @@ impl Screen {
     }
 
     /// Asks for something that changes the run, and says why it was not done.
-    fn command(&mut self, asks: &mut dyn Asks, verb: &str, fields: &Value) -> io::Result<bool> {
+    pub(super) fn command(&mut self, asks: &mut dyn Asks, verb: &str, fields: &Value) -> io::Result<bool> {
         let answer = match asked(asks, verb, fields)? {
             Ok(answer) => answer,
             Err(refused) => {
@@ -406,71 +385,7 @@ impl Screen {
         }
     }
 
-    fn show_faults(&mut self, look: &Look) {
-        if look.plants.is_empty() {
-            return self.refuse(words::NO_PLANT, &[]);
-        }
-        let mut rows = Vec::new();
-        for plant in &look.plants {
-            let module = plant["module"].as_str().unwrap_or_default();
-            for fault in plant["faults"].as_array().into_iter().flatten().filter_map(Value::as_str) {
-                let name = fault.split(' ').next().unwrap_or_default().to_owned();
-                rows.push((format!("{MENDS}{name}"), fill(self.language, words::MEND, &[&fault])));
-            }
-            for signal in plant["signals"].as_array().into_iter().flatten() {
-                let (name, address) = (signal["name"].as_str().unwrap_or_default(), signal["address"].as_str().unwrap_or_default());
-                let is_bit = address.contains('.');
-                let kinds = if is_bit { &BIT_FAULTS[..] } else { &WORD_FAULTS[..] };
-                let symbol = signal["symbol"].as_str().unwrap_or_default();
-                rows.extend(kinds.iter().map(|kind| {
-                    let fault = format!("{module}.{name} {kind}");
-                    let shown = format!("{fault:<34}  {address} {symbol}").trim_end().to_owned();
-                    (fault, shown)
-                }));
-            }
-        }
-        // The mended ones come first, and the signal that is chosen.
-        rows.sort_by_key(|(fault, _)| !fault.starts_with(MENDS));
-        let chosen = look.rows.get(self.chosen(look)).map(|row| row.address.clone()).filter(|address| !address.is_empty());
-        let of_chosen =
-            |shown: &str| chosen.as_ref().is_some_and(|address| shown.split("  ").any(|part| part.trim().starts_with(address.as_str())));
-        let at = if rows.first().is_some_and(|(fault, _)| fault.starts_with(MENDS)) {
-            0
-        } else {
-            rows.iter().position(|(_, shown)| of_chosen(shown)).unwrap_or_default()
-        };
-        self.over = Over::Menu(Menu { head: words::FAULTS, kind: Choice::Fault, rows, at });
-    }
-
-    fn show_blocks(&mut self, look: &Look) {
-        let at = look.blocks.iter().position(|(id, _)| *id == look.program.block).unwrap_or_default();
-        self.over = Over::Menu(Menu { head: words::BLOCKS, kind: Choice::Block, rows: look.blocks.clone(), at });
-    }
-
-    /// The chosen row of a menu is carried out.
-    pub(crate) fn choose(&mut self, menu: &Menu, asks: &mut dyn Asks) -> io::Result<()> {
-        let Some((chosen, _)) = menu.rows.get(menu.at) else { return Ok(()) };
-        match (menu.kind, chosen.strip_prefix(MENDS)) {
-            (Choice::Block, _) => {
-                self.block = Some(chosen.clone());
-                self.top = 0;
-                self.part = Part::Program;
-            }
-            (Choice::Fault, Some(signal)) => {
-                if self.command(asks, "faults", &json!({ "mend": signal }))? {
-                    self.say(words::MENDED, &[&signal]);
-                }
-            }
-            (Choice::Fault, None) => {
-                if self.command(asks, "faults", &json!({ "inject": chosen }))? {
-                    self.say(words::INJECTED, &[chosen]);
-                }
-            }
-        }
-        Ok(())
-    }
-
-    /// A typed value is written; one that does not fit stays to be mended.
+    /// A typed value is written; one that does not fit stays to be corrected.
     pub(crate) fn enter(&mut self, row: usize, typed: String, look: &Look, asks: &mut dyn Asks) -> io::Result<()> {
         let Some(named) = look.rows.get(row).cloned() else { return Ok(()) };
         if typed.trim().is_empty() {
@@ -499,8 +414,3 @@ impl Screen {
         }
     }
 }
-
-/// Faults of a bit that the menu has.
-const BIT_FAULTS: [&str; 5] = ["stuck=0", "stuck=1", "stuck", "late=500ms", "bounce=200ms"];
-/// Faults of a word.
-const WORD_FAULTS: [&str; 4] = ["stuck", "stuck=0", "drift=1", "late=500ms"];

@@ -57,6 +57,7 @@ pub(crate) fn block(
     let mut resolver = Resolver::new(known, id, interface, &labels.targets);
     let mut statements = Vec::with_capacity(source.statements.len() + 1);
     let mut operands = Operands { types: Vec::new(), wired: Vec::new() };
+    let titles: Vec<String> = source.networks.iter().map(|network| network.title.clone()).collect();
     let mut networks = source.networks.iter().peekable();
     let mut network = 0u32;
     for (index, statement) in source.statements.iter().enumerate() {
@@ -72,7 +73,7 @@ pub(crate) fn block(
             let message = format!("`{id}` has more than {DIAGNOSTICS_MAX} problems; the others are not shown");
             resolver.diagnostics.push(Diagnostic::new(Problem::P2199, statement.span, message));
             diagnostics.append(&mut resolver.diagnostics);
-            return Checked { block: ResolvedBlock { id, interface: interface.clone(), statements }, diagnostics, whole: false };
+            return Checked { block: ResolvedBlock { id, interface: interface.clone(), statements, titles }, diagnostics, whole: false };
         }
         let wired = Wired::of(source, network, index);
         let chosen = choose(known, &mut resolver, statement, wired, mnemonics);
@@ -120,7 +121,7 @@ pub(crate) fn block(
         missing_instructions(known, statement, &mut diagnostics);
     }
     whole &= !diagnostics.iter().any(|diagnostic| diagnostic.severity() == Severity::Error);
-    let block = ResolvedBlock { id, interface: interface.clone(), statements };
+    let block = ResolvedBlock { id, interface: interface.clone(), statements, titles };
     // What follows paths through the block would guess where a statement is missing.
     if whole {
         temporaries::check(&block, known.temporaries, &mut diagnostics);

@@ -48,6 +48,8 @@ pub struct ResolvedBlock {
     pub interface: Interface,
     /// Its statements.
     pub statements: Vec<Statement>,
+    /// The TITLE of each of its networks, empty where there is none.
+    pub titles: Vec<String>,
 }
 
 /// The IR of a block for a CPU type.

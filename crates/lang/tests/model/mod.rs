@@ -52,7 +52,7 @@ fn engine(word: &str, operand: Option<i16>, accu1: u32, accu2: u32) -> Outcome {
             .find(|row| row.operand().accepts(&operand))
             .unwrap_or_else(|| panic!("`{word}` is in the table"));
         let statements = vec![Statement { instruction, operand, origin: Origin::Text { span: Span::default(), network: 1 }, stated: None }];
-        let block = ResolvedBlock { id: BlockId::ob(1), interface: Interface::default(), statements };
+        let block = ResolvedBlock { id: BlockId::ob(1), interface: Interface::default(), statements, titles: Vec::new() };
         let mut program = Program::default();
         program.code.insert(block.id, lower(&block, &CpuType::default()));
         let layout = Arc::new(Layout::new(&CpuType::default(), &program));

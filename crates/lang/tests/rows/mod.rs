@@ -129,7 +129,7 @@ fn program(instruction: Instruction, operand: &Operand, frame: Frame, cpu: &CpuT
     main.resize_with(LABEL as usize + 1, nothing);
     let mut program = Program::default();
     for (id, statements) in [(BlockId::ob(1), main), (BlockId::fc(1), callee)] {
-        program.code.insert(id, lower(&ResolvedBlock { id, interface: Interface::default(), statements }, cpu));
+        program.code.insert(id, lower(&ResolvedBlock { id, interface: Interface::default(), statements, titles: Vec::new() }, cpu));
     }
     program
 }

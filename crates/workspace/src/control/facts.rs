@@ -38,6 +38,8 @@ pub struct Facts {
     pub text_blocks: BTreeMap<BlockId, Scope>,
     /// Statements of STL that elements of diagrams stand for.
     pub stated: BTreeMap<(BlockId, u32), String>,
+    /// The networks of blocks of STL.
+    pub networks: BTreeMap<BlockId, Networks>,
     /// Inputs, outputs, bit memory, timers and counters that the program names and that have no symbol.
     pub used: Vec<Operand>,
     /// Blocks that a block calls, each once, in their order.
@@ -48,6 +50,23 @@ pub struct Facts {
     pub library: BTreeSet<BlockId>,
     /// The mnemonic language of each source.
     pub mnemonics: BTreeMap<FileId, Mnemonics>,
+}
+
+/// The networks of a block of STL.
+#[derive(Clone, Debug, Default)]
+pub struct Networks {
+    /// The network of each statement, from 1.
+    pub of_statements: Vec<u32>,
+    /// The title of each network; none where the block names no network.
+    pub titles: Vec<String>,
+}
+
+impl Networks {
+    /// The network of a statement, which is counted from 0, with its title; `None` where the block names no network.
+    pub fn of(&self, statement: u32) -> Option<(u32, &str)> {
+        let network = *self.of_statements.get(statement as usize)?;
+        Some((network, self.titles.get((network as usize).checked_sub(1)?)?))
+    }
 }
 
 /// Statements of a program whose references are looked through: in larger ones only what has a symbol is listed.
@@ -85,6 +104,7 @@ impl Facts {
                     let count = program.code.get(&block).map_or(0, |code| u32::try_from(code.spans.len()).unwrap_or(u32::MAX));
                     let stated = (0..count).filter_map(|number| Some(((block, number), body.stated(number)?.to_owned())));
                     facts.stated.extend(stated);
+                    facts.networks.insert(block, Networks { of_statements: body.networks(), titles: body.network_titles().to_vec() });
                 }
             }
         }

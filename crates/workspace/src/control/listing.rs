@@ -50,7 +50,7 @@ pub enum Line {
     /// A network begins.
     Network {
         /// Its number, from 1.
-        number: usize,
+        number: u32,
         /// Its title.
         title: String,
     },
@@ -113,7 +113,8 @@ fn slice(facts: &Facts, span: Span) -> Option<&str> {
 fn statements(facts: &Facts, block: BlockId, code: &CodeBlock) -> Vec<Line> {
     let mut lines = Vec::new();
     let mut places = facts.places();
-    let (mut after, mut networks): (Option<Span>, usize) = (None, 0);
+    let networks = facts.networks.get(&block);
+    let (mut after, mut begun): (Option<Span>, u32) = (None, 0);
     for (number, &span) in (0_u32..).zip(&code.spans) {
         let Some(text) = slice(facts, span) else { continue };
         let stated = facts.stated.get(&(block, number));
@@ -123,13 +124,9 @@ fn statements(facts: &Facts, block: BlockId, code: &CodeBlock) -> Vec<Line> {
         if text.is_empty() || !(is_new || stated.is_some()) {
             continue;
         }
-        let between = after.filter(|after| after.file == span.file).map_or(0, |after| after.end as usize);
-        let between = file(facts, span.file).and_then(|file| file.text.get(between..span.start as usize)).unwrap_or_default();
-        if let Some((_, network)) = between.rsplit_once("NETWORK").filter(|_| is_new) {
-            networks += 1;
-            let title = network.split_once("TITLE").and_then(|(_, title)| title.trim_start().strip_prefix('='));
-            let title = title.and_then(|title| title.lines().next()).unwrap_or_default().trim().to_owned();
-            lines.push(Line::Network { number: networks, title });
+        if let Some((network, title)) = networks.and_then(|networks| networks.of(number)).filter(|&(network, _)| network > begun) {
+            begun = network;
+            lines.push(Line::Network { number: network, title: title.to_owned() });
         }
         after = Some(span);
         let mnemonics = facts.mnemonics.get(&span.file).copied().unwrap_or(Mnemonics::English);

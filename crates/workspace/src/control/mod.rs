@@ -18,7 +18,6 @@ use std::time::Duration;
 pub use answer::{Answer, line};
 use answer::{Blocks, Changes, Diagnostics, Done, Entry, Mode, State, Stop, Time, Values};
 pub use facts::{Client, Clients, Connection, CurrentFacts, Facts};
-use plants::{PlantFaults, plant_faults};
 use request::shortened;
 pub use request::{FaultChange, LINE_BYTES_MAX, ModeChange, Request, TimeChange, Wait, parse, too_long};
 use sieben_cpu::communication::Requester;
@@ -31,7 +30,7 @@ use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
 use sieben_model::value::{Kind, Value};
 use sieben_sim::names::{Name, NameError};
-use sieben_sim::wrap::{self, Fault};
+use sieben_sim::wrap::Fault;
 pub use table::watched;
 
 use crate::gate::{Closed, Gate, ITEMS_MAX, ListError, Plant};
@@ -66,8 +65,6 @@ pub struct Control {
     names: HashMap<String, Result<Name, NameError>>,
     /// The variables that blocks of ST write.
     written: HashMap<BlockId, Written>,
-    /// Bits that are pressed, and until when, in the CPU's time.
-    pressed: HashMap<String, u64>,
 }
 
 /// Names with what they mean, or why they mean nothing.
@@ -117,7 +114,7 @@ impl Control {
     /// The same for a client that comes from elsewhere.
     pub fn of_peer(current: Arc<CurrentFacts>, peer: String) -> Self {
         let (version, facts) = (current.version(), current.facts());
-        Self { peer, current, facts, version, names: HashMap::new(), written: HashMap::new(), pressed: HashMap::new() }
+        Self { peer, current, facts, version, names: HashMap::new(), written: HashMap::new() }
     }
 
     /// Answers one line of JSON with another.
@@ -160,7 +157,7 @@ impl Control {
             }
             Request::Mode(change) => mode(gate, *change).map(Answer::Mode),
             Request::Time(change) => time(gate, *change).map(Answer::Time),
-            Request::Faults(change) => faults(gate, change).map(Answer::Faults),
+            Request::Faults(change) => plants::faults(gate, change).map(Answer::Faults),
             Request::Plants => Ok(Answer::Plants(plants::plants(gate, &self.facts)?)),
             Request::Listing { block, from } => listing::listing(&self.facts, block.as_deref(), *from).map(Answer::Listing),
             Request::Names { from } => Ok(Answer::Names(table::table(gate, &self.facts, *from)?)),
@@ -370,32 +367,17 @@ impl Control {
 
     /// Gives bits the other value, and the one that they had after a while; those that are pressed already are left alone.
     fn press(&mut self, gate: &Gate, names: &[String], ms: u64) -> Result<Done, Refusal> {
-        let before = self.pressed.clone();
         let press = |meant: &Meant<Name>, plant: &mut Plant| {
             plant.touch();
             let now_us = plant.pace.time_us(gate.now_us()).max(plant.cpu.time_us());
+            plant.pressed.retain(|_, until_us| *until_us > now_us);
             let until_us = now_us.saturating_add(ms.saturating_mul(1_000));
-            let is_pressed = |text: &String| before.get(text).is_some_and(|&until_us| until_us > now_us);
             let press = |(text, name): &(String, Result<Name, Refusal>)| {
-                let done = match name {
-                    _ if is_pressed(text) => Ok(()),
-                    Ok(name) => press(name, plant, until_us),
-                    Err(refusal) => Err(refusal.clone()),
-                };
-                (text.clone(), done)
+                (text.clone(), name.clone().and_then(|name| press(&name, plant, until_us)))
             };
-            let items: Vec<(String, Result<(), Refusal>)> = meant.iter().map(press).collect();
-            (now_us, until_us, Done { items, scan: Some(plant.scans) })
+            Done { items: meant.iter().map(press).collect(), scan: Some(plant.scans) }
         };
-        let (_, (now_us, until_us, done)) = match self.at_one_program(gate, |this| this.named(names).map_err(Err), press) {
-            Ok(pressed) => pressed,
-            Err(early) => return early,
-        };
-        self.pressed.retain(|_, until_us| *until_us > now_us);
-        for (text, _) in done.items.iter().filter(|(_, outcome)| outcome.is_ok()) {
-            self.pressed.entry(text.clone()).or_insert(until_us);
-        }
-        Ok(done)
+        self.at_one_program(gate, |this| this.named(names).map_err(Err), press).map_or_else(|early| early, |(_, done)| Ok(done))
     }
 
     /// What changed, which is looked for from now on.
@@ -438,13 +420,16 @@ impl Control {
     }
 }
 
-/// Gives a bit the other value until this time of the CPU.
+/// Gives a bit the other value until this time of the CPU, unless it is pressed already.
 fn press(name: &Name, plant: &mut Plant, until_us: u64) -> Result<(), Refusal> {
     let Some(&Operand::Address(Address { area: Area::Input | Area::PeripheralInput, width: Width::Bit, byte, bit: number })) =
         name.operand()
     else {
         return Err(Refusal::new(Problem::P7104, format!("`{}` is no input bit, which alone can be pressed", shortened(name.text()))));
     };
+    if plant.pressed.contains_key(&(byte, number)) {
+        return Ok(());
+    }
     let refused = |error: NameError| unknown(&error);
     let bit = |value: bool| Value::bits(Kind::Bit, u64::from(value));
     // The module has what the process image only sees with the next scan.
@@ -453,7 +438,9 @@ fn press(name: &Name, plant: &mut Plant, until_us: u64) -> Result<(), Refusal> {
         None => name.content(&plant.cpu).map_err(refused)?.bits().is_some_and(|bits| bits != 0),
     };
     name.set(&mut plant.cpu, &bit(!is_on)).map_err(refused)?;
-    name.set_at(&mut plant.cpu, &bit(is_on), until_us).map_err(refused)
+    name.set_at(&mut plant.cpu, &bit(is_on), until_us).map_err(refused)?;
+    plant.pressed.insert((byte, number), until_us);
+    Ok(())
 }
 
 /// A name with the value that a text means for it.
@@ -565,24 +552,6 @@ fn time(gate: &Gate, change: TimeChange) -> Result<Time, Refusal> {
         },
         _ => Ok(changed),
     }
-}
-
-fn faults(gate: &Gate, change: &FaultChange) -> Result<Vec<PlantFaults>, Refusal> {
-    let refused = |message: String| Refusal::new(Problem::P6272, message);
-    let fault = match change {
-        FaultChange::Inject(text) => Some(Fault::parse(text).map_err(refused)?),
-        _ => None,
-    };
-    gate.enter(|plant| {
-        let rack = plant.cpu.rack_mut();
-        if let Some(fault) = &fault {
-            wrap::inject(rack, fault).map_err(refused)?;
-        }
-        if let FaultChange::Mend(name) = change {
-            wrap::mend(rack, name).map_err(|message| refused(shortened(&message)))?;
-        }
-        Ok(wrap::plants(plant.cpu.rack()).map(plant_faults).collect())
-    })?
 }
 
 /// Reads the input as lines of requests, and their names and values as those of an empty program: a target of the fuzzer.

@@ -1,13 +1,17 @@
 //! The simulated plants of a run at one moment: their bytes, what only they know, their faults and their terminals.
 
 use serde_json::{Value as Json, json};
-use sieben_cpu::IoModule;
+use sieben_cpu::{IoModule, Rack};
 use sieben_model::address::Operand;
-use sieben_sim::wrap;
+use sieben_model::problems::Problem;
+use sieben_sim::devices::Signal;
+use sieben_sim::wrap::{self, Fault};
 
 use super::facts::Facts;
+use super::request::{FaultChange, shortened};
 use super::table::{direction, operated};
 use crate::gate::{Closed, Gate};
+use crate::refusal::Refusal;
 
 /// Plants in one answer.
 const PLANTS_MAX: usize = 100;
@@ -69,7 +73,7 @@ pub struct SignalView {
     pub about: &'static str,
 }
 
-pub(super) fn plant_faults(plant: &wrap::Plant) -> PlantFaults {
+fn plant_faults(plant: &wrap::Plant) -> PlantFaults {
     PlantFaults {
         module: plant.name().to_owned(),
         kind: plant.kind().name,
@@ -78,11 +82,28 @@ pub(super) fn plant_faults(plant: &wrap::Plant) -> PlantFaults {
     }
 }
 
+/// Injects a fault or mends one, if that is asked for; the plants with their faults.
+pub(super) fn faults(gate: &Gate, change: &FaultChange) -> Result<Vec<PlantFaults>, Refusal> {
+    let refused = |message: String| Refusal::new(Problem::P6272, message);
+    let all = |rack: &Rack| wrap::plants(rack).map(plant_faults).collect();
+    let changed = |change: &dyn Fn(&mut Rack) -> Result<(), Refusal>| {
+        gate.enter(|plant| change(plant.cpu.rack_mut()).map(|()| all(plant.cpu.rack())))?
+    };
+    match change {
+        FaultChange::None => Ok(gate.look(|plant| all(plant.cpu.rack()))?),
+        FaultChange::Inject(text) => {
+            let fault = Fault::parse(text).map_err(refused)?;
+            changed(&|rack| wrap::inject(rack, &fault).map_err(refused))
+        }
+        FaultChange::Mend(name) => changed(&|rack| wrap::mend(rack, name).map_err(|message| refused(shortened(&message)))),
+    }
+}
+
 /// A plant as it is now; `put_out` are all bytes that the CPU has put out, some of which a plant may show that are not its own.
 fn view(plant: &wrap::Plant, put_out: &[u8]) -> PlantView {
     let mut inputs = vec![0; plant.inputs().len()];
     plant.read(0, &mut inputs);
-    let signal = |signal: &sieben_sim::devices::Signal| SignalView {
+    let signal = |signal: &Signal| SignalView {
         name: signal.name,
         address: signal.address(if signal.is_input() { plant.inputs().start } else { plant.outputs().start }),
         direction: direction(signal.direction),
@@ -141,5 +162,29 @@ impl PlantView {
             "inputs": hex(&self.inputs), "outputs": hex(&self.outputs), "state": self.state.iter().map(state).collect::<Json>(),
             "faults": self.faults, "acting": self.acting, "signals": self.signals.iter().map(signal).collect::<Json>(),
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use sieben_cpu::{Cpu, Settings};
+    use sieben_engine::Interpreter;
+    use sieben_model::cpu_type::CpuType;
+
+    use super::*;
+    use crate::gate::Plant;
+    use crate::pace::{Pace, Speed};
+
+    #[test]
+    fn to_ask_for_faults_is_no_change_of_the_run() {
+        let cpu_type = &CpuType::ALL[0];
+        let rack = Rack::with_background(cpu_type, Vec::new()).expect("an empty rack");
+        let cpu = Cpu::load(cpu_type, Arc::default(), Interpreter::load, rack, Settings::default());
+        let gate = Gate::new(Plant::new(cpu, Pace::new(Speed::Max, 10_000, u64::MAX, 0)), Box::new(|| 0));
+        let is_touched = || gate.look(|plant| plant.touched).expect("the gate is open");
+        assert!(faults(&gate, &FaultChange::None).is_ok_and(|plants| plants.is_empty()) && !is_touched());
+        assert!(faults(&gate, &FaultChange::Mend("tank".to_owned())).is_err() && is_touched());
     }
 }

@@ -1,7 +1,9 @@
 //! Where the panels of the screen stand, for every size of a terminal.
 
-use ratatui::layout::{Constraint, Layout, Rect};
+use ratatui::layout::Constraint::{self, Fill, Length};
+use ratatui::layout::{Layout, Rect};
 
+use super::MIN_WIDTH;
 use crate::screen::plants::Sizes;
 use crate::screen::state::Part;
 
@@ -54,8 +56,6 @@ fn columns<const N: usize>(area: Rect, widths: [Constraint; N]) -> [Rect; N] {
     Layout::horizontal(widths).areas(area)
 }
 
-use Constraint::{Fill, Length};
-
 /// The panels with their places; `plant` is what the picture of the plant takes, `part` what the changing part shows.
 pub(super) fn panels(area: Rect, plant: Option<Sizes>, part: Part) -> Vec<(Panel, Rect)> {
     match area.width {
@@ -72,7 +72,7 @@ fn plant_height(sizes: Sizes, column: u16, others: u16) -> u16 {
 
 /// Plant, inputs and outputs on the left; the rest on the right, one part at a time, or the program and one part.
 fn two_columns(area: Rect, plant: Option<Sizes>, part: Part) -> Vec<(Panel, Rect)> {
-    let left_width = if plant.is_some() { PLANT_WIDTH + (area.width - 80) / 4 } else { PLANT_WIDTH };
+    let left_width = if plant.is_some() { PLANT_WIDTH + area.width.saturating_sub(MIN_WIDTH) / 4 } else { PLANT_WIDTH };
     let [left, right] = columns(area, [Length(left_width), Fill(1)]);
     let mut panels = match plant {
         None => vec![(Panel::Signals, left)],
@@ -91,17 +91,18 @@ fn two_columns(area: Rect, plant: Option<Sizes>, part: Part) -> Vec<(Panel, Rect
     panels
 }
 
+/// A column with the plant, if there is one, and below it what changed.
+fn plant_and_changes(column: Rect, plant: Option<Sizes>) -> Vec<(Panel, Rect)> {
+    let Some(sizes) = plant else { return vec![(Panel::Changes, column)] };
+    let [plant, changes] = rows(column, [Length(plant_height(sizes, column.height, column.height / 3)), Fill(1)]);
+    vec![(Panel::Plant, plant), (Panel::Changes, changes)]
+}
+
 /// Plant and changes; inputs, outputs and values; the program and one part.
 fn three_columns(area: Rect, plant: Option<Sizes>, part: Part) -> Vec<(Panel, Rect)> {
     let [left, middle, right] = columns(area, [Length(PLANT_WIDTH + (area.width - WIDE) / 4), Length(SIGNALS_WIDTH), Fill(1)]);
     let lower = if matches!(part, Part::Program | Part::Values | Part::Changes) { Panel::Diagnostics } else { part.into() };
-    let mut panels = match plant {
-        Some(sizes) => {
-            let [plant, changes] = rows(left, [Length(plant_height(sizes, left.height, left.height / 3)), Fill(1)]);
-            vec![(Panel::Plant, plant), (Panel::Changes, changes)]
-        }
-        None => vec![(Panel::Changes, left)],
-    };
+    let mut panels = plant_and_changes(left, plant);
     let [signals, values] = rows(middle, [Fill(3), Fill(2)]);
     let [program, below] = rows(right, [Fill(2), Fill(1)]);
     panels.extend([(Panel::Signals, signals), (Panel::Values, values), (Panel::Program, program), (lower, below)]);
@@ -114,13 +115,7 @@ fn four_columns(area: Rect, plant: Option<Sizes>) -> Vec<(Panel, Rect)> {
     let plant_width = plant.map_or(PLANT_WIDTH + spare / 2, |sizes| (sizes.best.width + FRAME).min(PLANT_WIDTH + spare / 2));
     let widths = [Length(plant_width), Length(SIGNALS_WIDTH), Fill(3), Fill(2)];
     let [left, signals, program, right] = columns(area, widths);
-    let mut panels = match plant {
-        Some(sizes) => {
-            let [plant, changes] = rows(left, [Length(plant_height(sizes, left.height, left.height / 3)), Fill(1)]);
-            vec![(Panel::Plant, plant), (Panel::Changes, changes)]
-        }
-        None => vec![(Panel::Changes, left)],
-    };
+    let mut panels = plant_and_changes(left, plant);
     let [run, values, diagnostics] = rows(right, [Length(RUN_HEIGHT.min(right.height / 3)), Fill(3), Fill(2)]);
     panels.extend([
         (Panel::Signals, signals),

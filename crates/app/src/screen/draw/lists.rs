@@ -10,7 +10,7 @@ use sieben_model::visible::visible;
 use sieben_workspace::session::texts::Text;
 
 use super::Scene;
-use super::columns::{columns, fitted};
+use crate::screen::columns::{columns, fitted};
 use crate::screen::numbers::{clock, thousands};
 use crate::screen::words;
 

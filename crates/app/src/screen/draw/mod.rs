@@ -1,6 +1,5 @@
 //! Draws the screen: where its panels stand, and each of them.
 
-mod columns;
 mod layout;
 mod lists;
 mod over;
@@ -16,6 +15,7 @@ use sieben_model::visible::visible;
 use sieben_workspace::session::texts::fill;
 use std::sync::atomic::Ordering;
 
+use super::columns::{columns, fitted};
 use super::look::Look;
 use super::numbers::clock;
 use super::pictured;
@@ -23,7 +23,6 @@ use super::plants::{self, Moment};
 use super::state::{Over, Said, Screen};
 use super::words;
 use crate::palette::{Lit, Palette};
-use columns::{columns, fitted};
 use layout::Panel;
 
 /// Smallest terminal that the screen fits into.

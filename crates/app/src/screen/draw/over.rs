@@ -8,8 +8,9 @@ use ratatui::widgets::{Clear, Paragraph};
 use sieben_workspace::session::Language;
 
 use super::Scene;
-use super::columns::{columns, padded};
-use crate::screen::state::{Menu, Over};
+use crate::screen::columns::{columns, padded};
+use crate::screen::menu::{Choice, Menu};
+use crate::screen::state::Over;
 use crate::screen::words;
 
 /// The middle of an area, in this size at most.
@@ -51,7 +52,7 @@ impl Scene<'_> {
         let room = usize::from(area.height.saturating_sub(2));
         let first = (menu.at + 1).saturating_sub(room);
         let inner = usize::from(area.width.saturating_sub(2));
-        let line = |(at, (_, text)): (usize, &(String, String))| {
+        let line = |(at, (_, text)): (usize, &(Choice, String))| {
             let text = format!(" {} ", padded(text, inner.saturating_sub(2)));
             Line::styled(text, if at == menu.at { Style::new().add_modifier(Modifier::REVERSED) } else { Style::new() })
         };

@@ -9,7 +9,7 @@ use serde_json::Value;
 use sieben_model::visible::visible;
 
 use super::Scene;
-use super::columns::{columns, fitted, padded};
+use crate::screen::columns::{columns, fitted, padded};
 use crate::screen::look::Seen;
 use crate::screen::numbers::thousands;
 use crate::screen::words;

@@ -7,8 +7,8 @@ use ratatui::text::{Line, Span};
 use ratatui::widgets::Paragraph;
 
 use super::Scene;
-use super::columns::{columns, fitted, padded};
 use crate::palette::Lit;
+use crate::screen::columns::{columns, fitted, padded};
 use crate::screen::rows::{Driver, Group};
 use crate::screen::state::Screen;
 use crate::screen::words;

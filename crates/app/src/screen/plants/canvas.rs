@@ -120,11 +120,3 @@ pub(super) fn cells(part: f64, of: usize) -> usize {
     // Conversion of a float saturates, and what is no number becomes 0.
     (part.clamp(0.0, 1.0) * of as f64).round() as usize
 }
-
-/// A string with at most so many characters; one that was longer ends with dots.
-pub(super) fn shortened(text: &str, most: usize) -> String {
-    match text.chars().count() <= most {
-        true => text.to_owned(),
-        false => text.chars().take(most.saturating_sub(1)).chain("…".chars().take(most)).collect(),
-    }
-}

@@ -2,10 +2,11 @@
 
 use ratatui::style::Color;
 
-use super::canvas::{Canvas, cells, shortened};
+use super::canvas::{Canvas, cells};
 use super::terminals;
 use super::view::View;
 use super::{Picture, Size, Sizes};
+use crate::screen::columns::fitted;
 
 pub(super) const PICTURE: Picture =
     Picture { kind: "elevator", sizes: Sizes { least: Size { width: 40, height: 11 }, best: Size { width: 60, height: 20 } }, draw };
@@ -144,7 +145,7 @@ fn buttons(canvas: &mut Canvas<'_>, view: &View<'_>, rows: usize, columns: usize
                 canvas.faint_text(x, y - 1, &address);
                 let label = view.signal(&name).map_or("", |signal| view.label(signal));
                 if label != name {
-                    canvas.faint_text(x, y - 2, &shortened(label, columns - 1));
+                    canvas.faint_text(x, y - 2, &fitted(label, columns - 1));
                 }
             } else {
                 // Without its letter, which stands below the column.

@@ -13,7 +13,6 @@ mod thermal;
 mod view;
 
 use std::collections::BTreeMap;
-use std::sync::Arc;
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -40,12 +39,12 @@ pub(crate) struct PlantLook {
     pub(crate) inputs: Vec<u8>,
     /// Output bytes as the CPU writes them.
     pub(crate) outputs: Vec<u8>,
-    /// What only the plant knows: name, value, unit.
-    pub(crate) state: Vec<(&'static str, f64, &'static str)>,
+    /// What only the plant knows: name and value.
+    pub(crate) state: Vec<(String, f64)>,
     /// Faults that it has at this moment, in the words of `--fault`.
     pub(crate) faults: Vec<String>,
     /// Symbols by address as English mnemonics write it with a space, `I 0.0`; empty if addresses have to do.
-    pub(crate) symbols: Arc<BTreeMap<String, String>>,
+    pub(crate) symbols: BTreeMap<String, String>,
 }
 
 /// Columns and rows.

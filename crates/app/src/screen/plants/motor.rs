@@ -2,11 +2,12 @@
 
 use ratatui::style::{Color, Style};
 
-use super::canvas::{Canvas, shortened};
+use super::canvas::Canvas;
 use super::terminals;
 use super::view::View;
 use super::{Picture, Size, Sizes};
 use crate::palette::Lit;
+use crate::screen::columns::fitted;
 
 pub(super) const PICTURE: Picture =
     Picture { kind: "motor", sizes: Sizes { least: Size { width: 40, height: 11 }, best: Size { width: 60, height: 16 } }, draw };
@@ -31,7 +32,7 @@ fn draw(canvas: &mut Canvas<'_>, view: &View<'_>) {
             x += address + 2;
         }
         let label = view.signal(coil).map_or(coil, |signal| view.label(signal));
-        canvas.faint_text(x, row, &shortened(label, (list + room).saturating_sub(x)));
+        canvas.faint_text(x, row, &fitted(label, (list + room).saturating_sub(x)));
     }
     for (row, name) in ["overload", "turning", "reset"].into_iter().enumerate() {
         terminals::named(canvas, view, (list, row + 3, room), name);

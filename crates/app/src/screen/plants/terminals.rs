@@ -3,9 +3,10 @@
 use ratatui::style::Color;
 use sieben_sim::devices::{Place, Signal};
 
-use super::canvas::{Canvas, shortened};
+use super::canvas::Canvas;
 use super::view::View;
 use crate::palette::Lit;
+use crate::screen::columns::{fitted, padded};
 
 /// Lines of terminals in a column of so many cells: what the table of the kind has, without those that the picture shows elsewhere.
 pub(super) fn column(canvas: &mut Canvas<'_>, view: &View<'_>, (x, y, width): (usize, usize, usize), without: &[&str]) {
@@ -46,7 +47,7 @@ fn labelled(canvas: &mut Canvas<'_>, view: &View<'_>, (x, y, width): (usize, usi
         }
     };
     let text = format!("{}{}", view.address_of(signal), if value.is_empty() { "" } else { " " });
-    canvas.text(x, y, &shortened(&text, width));
+    canvas.text(x, y, &fitted(&text, width));
     let mut at = x + text.chars().count().max(view.address_width() + 1);
     match signal.place {
         Place::Bit(..) => {
@@ -61,7 +62,7 @@ fn labelled(canvas: &mut Canvas<'_>, view: &View<'_>, (x, y, width): (usize, usi
     canvas.styled(at, y, if fails { "✗" } else { " " }, canvas.bold(Color::Red));
     let room = (x + width).saturating_sub(at + 1);
     let style = if fails { canvas.colour(Color::Red) } else { canvas.faint() };
-    canvas.styled(at + 1, y, &shortened(label, room), style);
+    canvas.styled(at + 1, y, &fitted(label, room), style);
 }
 
 /// Lamps have the colour of their glass.
@@ -80,8 +81,8 @@ pub(super) fn faults(canvas: &mut Canvas<'_>, view: &View<'_>, (x, y, width): (u
     for (row, fault) in all.iter().take(most).enumerate() {
         let more = if row + 1 == most && all.len() > most { format!(" and {} more", all.len() - most) } else { String::new() };
         let room = width.saturating_sub(2 + more.len());
-        let text = format!("✗ {}{more}", shortened(fault, room));
+        let text = format!("✗ {}{more}", fitted(fault, room));
         // Whatever stood there makes room.
-        canvas.styled(x, y + row, &format!("{text:<width$}"), style);
+        canvas.styled(x, y + row, &padded(&text, width), style);
     }
 }

@@ -1,7 +1,6 @@
 //! Every picture at moments of its plant, at both sizes, and over whatever is there.
 
 use std::collections::BTreeMap;
-use std::sync::Arc;
 
 use proptest::prelude::*;
 use ratatui::buffer::Buffer;
@@ -72,7 +71,7 @@ const MOMENTS: [Row; 20] = [
     },
     Row {
         kind: "elevator",
-        title: "the door opens at floor 3 and somebody stands in it",
+        title: "the door opens at floor 3 and a person stands in it",
         parameters: &[("floor", 3.0)],
         faults: &["elevator.door_open stuck=0"],
         steps: &[Set(2, 2, 2), Out(&[0x08, 0x04, 0, 3]), Wait(1_400)],
@@ -184,6 +183,7 @@ fn look(row: &Row) -> (PlantLook, Moment) {
     plant.read(0, &mut inputs);
     let symbols = [("I 0.0", "START"), ("Q 0.0", "Y1"), ("I 0.1", "A_very_long_symbol_indeed")];
     let settings = plant.device().settings();
+    let state = plant.device().state().into_iter().chain(plant.device().shown(&[0x80; 21]));
     let look = PlantLook {
         kind,
         name: settings.name.clone(),
@@ -192,9 +192,9 @@ fn look(row: &Row) -> (PlantLook, Moment) {
         parameters: settings.parameters.clone(),
         inputs,
         outputs,
-        state: plant.device().state().into_iter().chain(plant.device().shown(&[0x80; 21])).collect(),
+        state: state.map(|(name, value, _)| (name.to_owned(), value)).collect(),
         faults: plant.acting_faults().map(ToString::to_string).collect(),
-        symbols: Arc::new(symbols.into_iter().map(|(address, name)| (address.to_owned(), name.to_owned())).collect::<BTreeMap<_, _>>()),
+        symbols: symbols.into_iter().map(|(address, name)| (address.to_owned(), name.to_owned())).collect(),
     };
     (look, Moment { time_ms })
 }
@@ -269,6 +269,19 @@ fn every_terminal_is_in_the_picture() {
     }
 }
 
+/// A long symbol of wide characters ends with dots where its column ends.
+#[test]
+fn wide_symbols_end_in_their_column() {
+    let row = MOMENTS.iter().find(|row| row.kind == "conveyor").expect("a moment");
+    let (mut plant, moment) = look(row);
+    plant.symbols = (0..5).map(|bit| (format!("I 0.{bit}"), "非常停止押釦安全回路確認済".to_owned())).collect();
+    let least = size(plant.kind).least;
+    let picture = drawn(&plant, moment, least);
+    // A cell is a character here, and the outputs stand in the right half.
+    let ends: Vec<usize> = picture.lines().filter_map(|line| line.chars().position(|cell| cell == '…')).collect();
+    assert!(ends.len() == 5 && ends.iter().all(|&end| end <= usize::from(least.width / 2)), "{ends:?}\n{picture}");
+}
+
 fn any_look() -> impl Strategy<Value = (PlantLook, Moment)> {
     let numbers = || {
         prop_oneof![
@@ -287,10 +300,10 @@ fn any_look() -> impl Strategy<Value = (PlantLook, Moment)> {
             let kind = Kind::ALL[index];
             let device = sieben_sim::devices::Device::new(DeviceSettings::new(kind));
             let state = device.state().into_iter().enumerate();
-            let state = state.filter_map(|(index, (name, _, unit))| Some((name, *values.get(index)?, unit))).collect();
+            let state = state.filter_map(|(index, (name, ..))| Some((name.to_owned(), *values.get(index)?))).collect();
             let parameters = if complete { DeviceSettings::new(kind).parameters } else { parameters };
             let name = kind.name.to_owned();
-            let symbols = Arc::new(BTreeMap::from([(format!("I {input}.0"), "Überlauf_des_Behälters_ganz_oben_links".to_owned())]));
+            let symbols = BTreeMap::from([(format!("I {input}.0"), "Überlauf_des_Behälters_ganz_oben_links".to_owned())]);
             (PlantLook { kind, name, input, output, parameters, inputs, outputs, state, faults, symbols }, Moment { time_ms })
         },
     )

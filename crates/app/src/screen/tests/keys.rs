@@ -4,6 +4,7 @@ use ratatui::crossterm::event::KeyCode;
 use serde_json::{Value, json};
 
 use super::super::keys::command;
+use super::super::rows::Driver;
 use super::super::state::{Command, Over, Said, Then};
 use super::play::Played;
 use crate::terminal::Key;
@@ -122,6 +123,13 @@ fn faults_are_injected_and_mended_from_the_list() {
     played.key(plain('f'));
     played.key(Key::Plain(KeyCode::Enter));
     assert_eq!(played.look.plants[0]["faults"], json!([]));
+    // The list begins where the selected signal stands.
+    let last = played.look.rows.iter().rposition(|row| row.driver == Driver::Plant("tank".to_owned()));
+    let address = played.look.rows[last.expect("a sensor")].address.clone();
+    played.screen.row = last;
+    played.key(plain('f'));
+    let Over::Menu(menu) = &played.screen.over else { panic!("{:?}", played.screen.over) };
+    assert!(menu.at > 0 && menu.rows[menu.at].1.contains(&format!("  {address} ")), "{address}: {:?}", menu.rows[menu.at]);
 }
 
 #[test]

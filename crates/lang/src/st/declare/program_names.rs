@@ -1,6 +1,7 @@
 //! What people call the variables and constants of a program from outside.
 
 use sieben_engine::program::{Constant as NamedConstant, Names as ProgramNames};
+use sieben_model::address::Area;
 use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::diagnostic::Diagnostic;
 use sieben_model::types::DataType;
@@ -107,13 +108,7 @@ fn plain(value: &LiteralKind) -> Option<DataType> {
 /// Takes in the name of a variable with an address, alone and with that of its program or list.
 fn locate(names: &mut ProgramNames, owner: &str, variable: &Variable) {
     let Base::Area(area) = variable.base else { return };
-    let width = match variable.data_type.width() {
-        Some(width) => width,
-        None => return,
-    };
-    if area == sieben_model::address::Area::Local {
-        return;
-    }
+    let Some(width) = variable.data_type.width().filter(|_| area != Area::Local) else { return };
     if let Some(operand) = operand(&variable.base, variable.offset, width) {
         for name in [key(&variable.name), key(&format!("{owner}.{}", variable.name))] {
             names.located.entry(name).or_insert((operand, variable.data_type.clone()));
