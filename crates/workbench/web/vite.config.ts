@@ -1,5 +1,17 @@
 import { svelte } from '@sveltejs/vite-plugin-svelte';
-import { defineConfig } from 'vite';
+import { defineConfig, type ProxyOptions } from 'vite';
+
+/** While one develops: a run with its page, `sieben run PATH --page`. It answers its own host and origin alone. */
+const RUN = '127.0.0.1:7300';
+const proxy: ProxyOptions = {
+  target: `http://${RUN}`,
+  changeOrigin: true,
+  ws: true,
+  configure: (to) => {
+    to.on('proxyReq', (request) => request.setHeader('origin', `http://${RUN}`));
+    to.on('proxyReqWs', (request) => request.setHeader('origin', `http://${RUN}`));
+  },
+};
 
 export default defineConfig({
   plugins: [svelte()],
@@ -12,5 +24,5 @@ export default defineConfig({
     assetsInlineLimit: 0,
     reportCompressedSize: false,
   },
-  server: { proxy: { '/api': 'http://127.0.0.1:7301', '/ws': { target: 'ws://127.0.0.1:7301', ws: true } } },
+  server: { proxy: { '/api': proxy, '/ws': proxy, '/docs': proxy } },
 });

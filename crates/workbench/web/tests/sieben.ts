@@ -1,0 +1,123 @@
+// The real binary beside a page: each test has a run of its own, on a copy of one of the examples. `SIEBEN` names the binary.
+import { spawn, type ChildProcess } from 'node:child_process';
+import { cpSync, mkdtempSync, rmSync } from 'node:fs';
+import { createServer } from 'node:net';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { expect, test as base, type Page } from '@playwright/test';
+
+const ROOT = fileURLToPath(new URL('../../../../', import.meta.url));
+const BINARY = process.env['SIEBEN'] ?? join(process.env['CARGO_TARGET_DIR'] ?? join(ROOT, 'target'), 'debug/sieben');
+/** Within this time a run says where its page is. */
+const STARTS_WITHIN = 20_000;
+
+/** A run of an example with its page. */
+export class Sieben {
+  readonly folder: string;
+  private child: ChildProcess | undefined;
+  private output = '';
+
+  private constructor(
+    readonly example: string,
+    readonly port: number,
+    private readonly further: string[],
+  ) {
+    this.folder = join(mkdtempSync(join(tmpdir(), 'sieben-page-')), example);
+    cpSync(join(ROOT, 'examples', example), this.folder, { recursive: true, filter: (path) => !path.endsWith('/.sieben') });
+  }
+
+  static async start(example: string, further: string[] = []): Promise<Sieben> {
+    const sieben = new Sieben(example, await freePort(), further);
+    await sieben.start();
+    return sieben;
+  }
+
+  get url(): string {
+    return `http://127.0.0.1:${this.port}`;
+  }
+
+  /** What the run has printed. */
+  get printed(): string {
+    return this.output;
+  }
+
+  /** Starts it, or starts it again after `kill`. */
+  async start(): Promise<void> {
+    const child = spawn(BINARY, ['run', this.folder, '--plain', '--page', `127.0.0.1:${this.port}`, ...this.further], { stdio: ['ignore', 'pipe', 'pipe'] });
+    this.child = child;
+    this.output = '';
+    const take = (data: Buffer) => (this.output += data.toString());
+    child.stdout.on('data', take);
+    child.stderr.on('data', take);
+    const end = Date.now() + STARTS_WITHIN;
+    while (!this.output.includes('The page is at')) {
+      if (child.exitCode !== null || Date.now() > end) throw new Error(`${BINARY} does not serve its page:\n${this.output}`);
+      await new Promise((done) => setTimeout(done, 20));
+    }
+  }
+
+  /** Ends it as a power failure does, or by another signal. */
+  async kill(signal: NodeJS.Signals = 'SIGKILL'): Promise<void> {
+    const child = this.child;
+    if (child === undefined || child.exitCode !== null || child.signalCode !== null) return;
+    const ended = new Promise((done) => child.once('exit', done));
+    child.kill(signal);
+    await ended;
+  }
+
+  async end(): Promise<void> {
+    await this.kill();
+    rmSync(join(this.folder, '..'), { recursive: true, force: true });
+  }
+}
+
+async function freePort(): Promise<number> {
+  return new Promise((done, failed) => {
+    const server = createServer();
+    server.once('error', failed);
+    server.listen(0, '127.0.0.1', () => {
+      const address = server.address();
+      server.close(() => (typeof address === 'object' && address !== null ? done(address.port) : failed(new Error('no port'))));
+    });
+  });
+}
+
+interface Fixtures {
+  /** The example that runs: `test.use({ example: 'tank' })`. */
+  example: string;
+  /** Further arguments of `sieben run`. */
+  further: string[];
+  sieben: Sieben;
+}
+
+export const test = base.extend<Fixtures>({
+  example: ['dosing', { option: true }],
+  further: [[], { option: true }],
+  sieben: async ({ example, further }, use) => {
+    const sieben = await Sieben.start(example, further);
+    await use(sieben);
+    await sieben.end();
+  },
+  baseURL: async ({ sieben }, use) => use(sieben.url),
+});
+
+export { expect };
+export type { Page };
+
+/** An element of the contract. */
+export const id = (page: Page, name: string) => page.getByTestId(name);
+
+/** The scan that the page shows. */
+export const scan = async (page: Page) => Number((await id(page, 'scan-number').textContent())?.replace(/\D/g, ''));
+
+/** Opens the page, waits until it is live, and collects what must not happen: errors on the console, requests to elsewhere. */
+export async function open(page: Page, hash = '', query = '?theme=light'): Promise<string[]> {
+  const wrong: string[] = [];
+  page.on('console', (message) => message.type() === 'error' && wrong.push(message.text()));
+  page.on('pageerror', (error) => wrong.push(error.message));
+  page.on('request', (request) => new URL(request.url()).host.startsWith('127.0.0.1') || wrong.push(`leaves the origin: ${request.url()}`));
+  await page.goto(`/${query}${hash}`);
+  await expect(id(page, 'connection')).toHaveText('Live');
+  return wrong;
+}

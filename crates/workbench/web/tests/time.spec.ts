@@ -1,0 +1,62 @@
+// Checks of the contract: time.
+import { expect, id, open, scan, test } from './sieben';
+
+test('21–23, 26, 27: pause, steps, the past and back; nothing jumps', async ({ page }) => {
+  await open(page);
+  await page.waitForTimeout(1000);
+  const place = async () => [(await id(page, 'strip').boundingBox())?.height, (await id(page, 'stl').boundingBox())?.y];
+  const before = await place();
+  await id(page, 'pause').click();
+  await expect(id(page, 'pause')).toContainText('Go on');
+  const stands = await scan(page);
+  await page.waitForTimeout(500);
+  expect(await scan(page)).toBe(stands);
+  await page.keyboard.press('.');
+  await expect(page.locator('body')).toHaveAttribute('data-state', 'stepping');
+  const first = await id(page, 'reason').textContent();
+  await page.keyboard.press('.');
+  await expect(id(page, 'reason')).not.toHaveText(first ?? '');
+  await page.keyboard.press(',');
+  await expect(id(page, 'reason')).toHaveText(first ?? '');
+  await page.keyboard.press('End');
+  await id(page, 'pause').click();
+  await expect(id(page, 'connection')).toHaveText('Live');
+  await id(page, 'pause').click();
+  await expect(id(page, 'pause')).toContainText('Go on');
+  const n = await scan(page);
+  await id(page, 'step-scan-back').click();
+  await expect.poll(() => scan(page)).toBe(n - 1);
+  await expect(id(page, 'connection')).toHaveText('Past');
+  await expect(id(page, 'state-message')).toContainText('ago');
+  expect(await place()).toEqual(before);
+  await id(page, 'go-live').click();
+  await id(page, 'pause').click();
+  await expect(id(page, 'connection')).toHaveText('Live');
+  expect(await place()).toEqual(before);
+});
+
+test('24, 25, 29: the timeline goes to a scan; there nothing is written', async ({ page, request }) => {
+  await open(page);
+  await page.waitForTimeout(2500);
+  const track = id(page, 'timeline-track');
+  const box = (await track.boundingBox()) ?? { x: 0, y: 0, width: 0, height: 0 };
+  await page.mouse.click(box.x + box.width - 80, box.y + 30);
+  await expect(id(page, 'connection')).toHaveText('Past');
+  const n = await scan(page);
+  const flow = await id(page, 'in-0.7').getAttribute('data-on');
+  const trace = await (await request.get(`/api/v1/trace?from=${n}&to=${n}&channels=FLOW&format=csv`)).text();
+  expect(flow).toBe(trace.trim().split('\n')[1]?.split(',')[1]);
+  await expect(id(page, 'in-0.1').getByRole('switch')).toBeDisabled();
+  await expect(id(page, 'in-0.1').getByRole('switch')).toHaveAttribute('title', /past/);
+  await expect(id(page, 'plant-start')).toHaveAttribute('aria-disabled', 'true');
+  await track.focus();
+  await page.keyboard.press('ArrowLeft');
+  await expect.poll(() => scan(page)).toBe(n - 1);
+  await page.keyboard.press('PageDown');
+  await expect.poll(() => scan(page)).toBe(Math.max(0, n - 101));
+  await expect(track).toHaveAttribute('aria-valuetext', /Scan \d+ at [\d.]+ s, in the past/);
+  await id(page, 'nav-watch').click();
+  await expect(id(page, 'watch-modify')).toBeDisabled();
+  await expect(id(page, 'watch-modify')).toHaveAttribute('title', /past/);
+  await expect(id(page, 'force-add')).toBeDisabled();
+});
