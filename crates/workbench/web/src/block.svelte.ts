@@ -75,7 +75,7 @@ export class BlockModel {
   }
 
   #take(data: Row[] | Record<string, Row>, from: number, scan: number): void {
-    const rows = Array.isArray(data) ? data.map((row, i) => [from + i, row] as const) : Object.entries(data).map(([i, row]) => [Number(i), row] as const);
+    const rows = Array.isArray(data) ? data.map((row, i) => [from + i, row] as const) : Object.entries(data).map(([i, row]) => [from + Number(i), row] as const);
     const touched = new Set<number>();
     for (const [i, row] of rows) this.#raw[i] = row;
     const arrived = this.#waiting.filter((one) => one.fits(scan));
