@@ -38,11 +38,6 @@ class Page {
   role = $state<'program' | 'view'>('program');
   cycleUs = $state(10_000);
   examples = $state<string[]>([]);
-  offers = $state.raw<string[]>([]);
-  /** Steps statements where the server does not; set by the block that is shown. */
-  stepper: ((unit: Unit, n: 1 | -1) => void) | null = null;
-  /** The scan whose statements the page itself steps through. */
-  stepped = -1;
   /** Grows when what REST gives has to be asked for anew. */
   revision = $state(0);
 
@@ -200,8 +195,6 @@ class Page {
     this.role = message.role;
     this.cycleUs = message.cycle_us;
     this.examples = message.examples ?? [];
-    this.offers = message.offers ?? [];
-    this.stepped = -1;
     this.oldest = message.oldest;
     this.newest = message.newest;
     this.following = true;
@@ -228,7 +221,7 @@ class Page {
     this.why = message.why ?? '';
     const reason = message.pos?.reason;
     if (reason !== undefined && reason !== this.pos?.reason) this.announce(reason);
-    if (this.stepped !== message.n && (message.pos !== undefined || this.pos !== undefined)) this.pos = message.pos;
+    this.pos = message.pos;
     if (mode !== message.mode) {
       this.announce(message.mode.toUpperCase());
       if (message.mode === 'stop') this.stopScan = message.n;
@@ -265,7 +258,6 @@ class Page {
   }
 
   #subscribe(id: string, subscription: Subscription): void {
-    if (subscription.what === 'flow' && !this.offers.includes('flow')) return;
     this.#send({ t: 'sub', id, ...subscription });
   }
 
@@ -328,19 +320,12 @@ class Page {
   }
 
   // time
-  goTo(scan: number | 'live', stepping = false): void {
-    if (!stepping && this.stepped >= 0) {
-      this.stepped = -1;
-      this.pos = undefined;
-    }
+  goTo(scan: number | 'live'): void {
     this.#send({ t: 'at', scan: scan === 'live' ? 'live' : Math.max(this.oldest, Math.min(this.newest, Math.round(scan))) });
   }
 
   step(unit: Unit, n: 1 | -1): void {
-    if (unit === 'scan' || this.offers.includes('step')) {
-      this.stepped = -1;
-      this.#send({ t: 'at', step: unit, n });
-    } else this.stepper?.(unit, n);
+    this.#send({ t: 'at', step: unit, n });
   }
 
   async pause(): Promise<void> {

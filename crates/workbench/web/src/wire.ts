@@ -105,7 +105,7 @@ export interface Force {
 /** What a page can have sent to it; each gives its snapshot at once, and again after `at`. */
 export type Subscription =
   /** Statements `from` to `to` of a block, counted from 0, both included; `reason`: the one whose reason is wanted.
-   *  What changed comes by its place in that, from 0. */
+   *  What changed comes by the number of the statement in its block. */
   | { what: 'rows'; block: string; instance?: string; from: number; to: number; reason?: number }
   /** Power flow in the diagrams of these networks. */
   | { what: 'flow'; block: string; instance?: string; view: 'lad' | 'fbd'; networks: number[] }
@@ -156,8 +156,6 @@ export interface Welcome {
   mnemonics: Language;
   /** Examples that this page may change to. */
   examples?: string[];
-  /** What not every server has: `flow` as a subscription, `step` by statements and networks. Without it the page does without. */
-  offers?: ('flow' | 'step')[];
 }
 
 export interface Scan {

@@ -173,6 +173,7 @@ const WORDS = {
   coil: ['coil', 'Spule'],
   powerOn: ['power goes on', 'Strom fließt weiter'],
   powerOff: ['no power goes on', 'kein Strom fließt weiter'],
+  noOb1: ['There is no OB 1, so nothing runs in the cycle. Write the cyclic program as OB 1; what there is stands under Program.', 'Es gibt keinen OB 1, darum läuft nichts im Zyklus. Das zyklische Programm als OB 1 schreiben; was da ist, steht unter Programm.'],
   dataBlock: ['A data block has no statements: see its values in Watch.', 'Ein Datenbaustein hat keine Anweisungen: seine Werte stehen unter Variablen.'],
   expand: ['Show or hide network {0}', 'Netzwerk {0} zeigen oder verbergen'],
   allKeys: ['all keys', 'alle Tasten'],
