@@ -51,6 +51,8 @@ pub(super) fn upgrade(upgrade: WebSocketUpgrade, shared: Arc<Shared>, peer: Sock
             let _ = timeout(LOOK_AGAIN, socket.send(Message::Text(bye(&refusal).into()))).await;
         }
         let _ = timeout(LOOK_AGAIN, socket.send(Message::Close(None))).await;
+        // What the page has sent meanwhile is taken in: a connection that ends with something unread loses what was said last.
+        let _ = timeout(LOOK_AGAIN, async { while let Some(Ok(_)) = socket.recv().await {} }).await;
     })
 }
 
