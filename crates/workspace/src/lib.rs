@@ -10,6 +10,7 @@ pub mod controller;
 pub mod coverage;
 pub mod driver;
 pub mod duration;
+pub mod exchange;
 pub mod failed;
 pub mod finding;
 pub mod gate;

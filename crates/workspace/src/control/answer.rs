@@ -51,6 +51,10 @@ pub enum Answer {
 pub struct State {
     /// The name of the project, if it has one.
     pub project: Option<String>,
+    /// Where the page of the run is, if it has one.
+    pub page: Option<String>,
+    /// How many CPUs took the place of the first one.
+    pub run: u64,
     /// How many programs took over from the first one.
     pub version: u64,
     /// The CPU type.
@@ -302,7 +306,7 @@ impl State {
         let cycle = &self.cycle;
         let forced = self.forced.iter().map(|(name, value)| json!({ "name": name, "shown": value })).collect::<Json>();
         json!({
-            "project": self.project, "version": self.version, "cpu": self.cpu, "mode": self.mode.to_string(), "stop": self.stop.as_ref().map(Stop::json),
+            "project": self.project, "page": self.page, "run": self.run, "version": self.version, "cpu": self.cpu, "mode": self.mode.to_string(), "stop": self.stop.as_ref().map(Stop::json),
             "scans": self.scans, "time_ms": milliseconds(self.time_us), "clock": self.clock,
             "cycle_ms": { "last": milliseconds(cycle.last), "min": milliseconds(cycle.min), "max": milliseconds(cycle.max) },
             "execution_ms": { "last": milliseconds(cycle.execution_last), "max": milliseconds(cycle.execution_max) },

@@ -245,6 +245,8 @@ impl Control {
             let cpu = &plant.cpu;
             let state = State {
                 project: None,
+                page: None,
+                run: self.facts.run,
                 version: self.version,
                 cpu: cpu.cpu_type().name,
                 mode: cpu.mode(),
@@ -265,6 +267,7 @@ impl Control {
             (state, cause, cpu.forced().bytes().collect::<Vec<_>>())
         })?;
         state.project.clone_from(&self.facts.project);
+        state.page = self.current.page();
         state.connections = self.current.connections();
         state.clients = self.current.clients();
         state.stop = cause.map(|cause| Stop {
