@@ -32,6 +32,7 @@ pub mod settings;
 pub mod status;
 pub mod testing;
 pub mod tracing;
+pub mod watch_table;
 pub mod xml;
 
 pub use driver::{Driver, End, Surroundings};
