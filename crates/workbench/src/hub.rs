@@ -26,6 +26,7 @@ use sieben_workspace::status::{Desk, Look, Onlooker, Sample};
 use sieben_workspace::{Closed, Gate, Plant, Speed};
 use tokio::sync::watch;
 
+use crate::clients::Rates;
 use crate::forces::Forces;
 use crate::live::content::Content;
 use crate::live::message::Common;
@@ -85,6 +86,8 @@ pub(crate) struct Hub {
     pub(crate) wanted: AllWanted,
     /// Why operands are forced.
     pub(crate) forces: Forces,
+    /// How often clients ask.
+    rates: Rates,
     visitors: Mutex<BTreeMap<u64, Visitor>>,
     next: AtomicU64,
     program: Mutex<Arc<Known>>,
@@ -128,6 +131,7 @@ impl Hub {
             reference,
             wanted: AllWanted::default(),
             forces: Forces::default(),
+            rates: Rates::default(),
             visitors: Mutex::default(),
             next: AtomicU64::new(1),
             program,
@@ -362,19 +366,14 @@ impl Hub {
 
     /// Clients of servers, and pages.
     pub(crate) fn clients(&self) -> Json {
-        let server = |client: &sieben_workspace::control::Client| {
-            json!({
-                "id": format!("{} {}", client.protocol, client.peer), "name": client.partner, "protocol": client.protocol, "peer": client.peer,
-                "connected_ms": client.for_us as f64 / 1000.0, "request": client.last,
-            })
-        };
+        let servers = self.rates.json(self.facts.clients(), &self.facts.facts(), self.gate.now_us());
         let page = |(number, visitor): (&u64, &Visitor)| {
             json!({
                 "id": format!("page {number}"), "name": "page", "protocol": "HTTP", "peer": visitor.peer, "role": visitor.role.word(),
+                "reads": 0, "writes": 0,
             })
         };
-        let servers = self.facts.clients();
-        servers.iter().map(server).chain(lock(&self.visitors).iter().map(page)).collect()
+        servers.into_iter().chain(lock(&self.visitors).iter().map(page)).collect()
     }
 
     /// The diagnostic buffer, newest first.

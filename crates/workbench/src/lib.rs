@@ -2,6 +2,7 @@
 #![forbid(unsafe_code)]
 
 pub mod access;
+mod clients;
 mod forces;
 mod http;
 mod hub;

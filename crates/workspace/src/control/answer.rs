@@ -297,7 +297,10 @@ fn place_fields(object: &mut Json, place: Option<&Placed>) {
 fn client_json(client: &Client) -> Json {
     json!({
         "protocol": client.protocol, "peer": client.peer, "partner": client.partner, "connected_ms": milliseconds(client.for_us),
-        "last": client.last, "pdu": client.pdu_bytes,
+        "last": client.last, "pdu": client.pdu_bytes, "reads": client.reads, "writes": client.writes,
+        "written": client.written.as_ref().map(|last| {
+            json!({ "name": last.name, "shown": last.value, "scan": last.scan, "time_ms": milliseconds(last.time_us) })
+        }),
     })
 }
 

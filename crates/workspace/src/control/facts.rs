@@ -248,6 +248,25 @@ pub struct Client {
     pub last: Option<&'static str>,
     /// How long its PDUs are, once it is set up.
     pub pdu_bytes: Option<usize>,
+    /// How often it has read values.
+    pub reads: u64,
+    /// How often it has written values.
+    pub writes: u64,
+    /// What it wrote last.
+    pub written: Option<LastWrite>,
+}
+
+/// The last write of a client.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LastWrite {
+    /// To what, as people spell it: `IW 0`.
+    pub name: String,
+    /// What, as people read it.
+    pub value: String,
+    /// How many scans had ended.
+    pub scan: u64,
+    /// The time of the CPU in microseconds.
+    pub time_us: u64,
 }
 
 /// Tells the clients of all servers.

@@ -17,7 +17,7 @@ use std::time::Duration;
 
 pub use answer::{Answer, line};
 use answer::{Blocks, Changes, Diagnostics, Done, Entry, Mode, State, Stop, Time, Values};
-pub use facts::{Client, Clients, Connection, CurrentFacts, Facts};
+pub use facts::{Client, Clients, Connection, CurrentFacts, Facts, LastWrite};
 use request::shortened;
 pub use request::{FaultChange, LINE_BYTES_MAX, ModeChange, Request, TimeChange, Wait, parse, too_long};
 use sieben_cpu::communication::Requester;
