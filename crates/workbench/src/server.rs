@@ -6,7 +6,6 @@ use std::sync::Arc;
 use std::thread::JoinHandle;
 use std::time::Duration;
 
-use axum::Router;
 use sieben_workspace::Gate;
 use sieben_workspace::control::CurrentFacts;
 use sieben_workspace::status::Desk;
@@ -123,10 +122,8 @@ impl Drop for Page {
 
 async fn serve(listener: TcpListener, shared: Arc<Shared>, ends: oneshot::Receiver<()>) {
     let Ok(listener) = tokio::net::TcpListener::from_std(listener) else { return };
-    let router = Router::new().fallback(http::answer).with_state(shared);
-    let service = router.into_make_service_with_connect_info::<SocketAddr>();
     tokio::select! {
-        _ = axum::serve(listener, service) => {}
+        () = http::serve(listener, shared) => {}
         _ = ends => tokio::time::sleep(FAREWELL).await,
     }
 }
