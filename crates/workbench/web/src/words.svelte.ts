@@ -87,6 +87,8 @@ const WORDS = {
   rackHint: ['click = input', 'Klick = Eingang'],
   driven: ['driven by the plant', 'von der Anlage'],
   free: ['free', 'frei'],
+  writeNumber: ['Write a whole number: `25`.', 'Eine ganze Zahl schreiben: `25`.'],
+  writeHex: ['Write hexadecimal digits: `0025`.', 'Hexadezimale Ziffern schreiben: `0025`.'],
   press: ['press', 'Taste'],
   pressOf: ['Press {0}', '{0} drücken'],
   normallyClosed: ['normally closed: 1 while not pressed', 'Öffner: 1, solange nicht gedrückt'],

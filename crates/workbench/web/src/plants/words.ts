@@ -5,7 +5,7 @@ const WORDS = {
   // signals
   open: ['open', 'offen'],
   shut: ['shut', 'zu'],
-  closed: ['closed', 'geschlossen'],
+  closed: ['closed', 'zu'],
   opened: ['open', 'offen'],
   pulse: ['pulse', 'Impuls'],
   noPulse: ['no pulse', 'kein Impuls'],
@@ -57,7 +57,7 @@ const WORDS = {
   beltStands: ['The belt stands.', 'Das Band steht.'],
   beltRight: ['The belt runs to the right at {0}.', 'Das Band läuft mit {0} nach rechts.'],
   beltLeft: ['The belt runs to the left at {0}.', 'Das Band läuft mit {0} nach links.'],
-  beltParts: ['{0} parts are on it, {1} were delivered, {2} fell off.', '{0} Teile liegen darauf, {1} wurden geliefert, {2} fielen herunter.'],
+  beltParts: ['Parts on it: {0}, delivered: {1}, fallen off: {2}.', 'Teile darauf: {0}, geliefert: {1}, herabgefallen: {2}.'],
   onScale: ['The part on the scale has {0}.', 'Das Teil auf der Waage hat {0}.'],
   hornSounds: ['The horn sounds.', 'Die Hupe ertönt.'],
   delivered: ['delivered', 'geliefert'],
