@@ -62,7 +62,8 @@ export function faultsOf(plant: Plant): { signal: string; kind: string; value: s
 export function wrongWith(plant: Plant, signal: string): string {
   const fault = faultsOf(plant).find((one) => one.signal === signal);
   if (fault === undefined) return '';
-  const { kind, value } = fault;
+  const { kind } = fault;
+  const value = fault.value.replace(/(\d)([a-zµ])/, '$1 $2');
   if (kind === 'stuck') return value === '' ? p('stuckNow') : p('stuckAt', value);
   return kind === 'drift' ? p('drifts', value) : kind === 'late' ? p('lateBy', value) : p('bouncesFor', value);
 }
