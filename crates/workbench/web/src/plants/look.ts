@@ -51,21 +51,30 @@ export function measureOf(plant: Plant, name: string): number {
   return (word > 0x7fff ? word - 0x10000 : word) / (signalOf(plant, name)?.per_unit ?? 1);
 }
 
-/** Faults that act, as the server writes them: the signal, the kind, its number. */
-export function faultsOf(plant: Plant): { signal: string; kind: string; value: string; text: string }[] {
+export interface Fault {
+  signal: string;
+  kind: string;
+  value: string;
+  /** As the server writes it. */
+  text: string;
+}
+/** Faults that act, in parts: the signal, the kind, its number. */
+export function faultsOf(plant: Plant): Fault[] {
   return (plant.look.acting ?? plant.look.faults).map((text) => {
     const [, signal = '', kind = '', value = ''] = /^(?:.*\.)?(\w+) +(\w+)(?:=([^@\s]+))?/.exec(text) ?? [];
     return { signal, kind, value, text };
   });
 }
+/** What a fault is, in words. */
+export function inWords(fault: Fault): string {
+  const value = fault.value.replace(/(\d)([a-zµ])/, '$1 $2');
+  if (fault.kind === 'stuck') return value === '' ? p('stuckNow') : p('stuckAt', value);
+  return fault.kind === 'drift' ? p('drifts', value) : fault.kind === 'late' ? p('lateBy', value) : p('bouncesFor', value);
+}
 /** What is wrong with a signal, in words; empty if nothing is. */
 export function wrongWith(plant: Plant, signal: string): string {
   const fault = faultsOf(plant).find((one) => one.signal === signal);
-  if (fault === undefined) return '';
-  const { kind } = fault;
-  const value = fault.value.replace(/(\d)([a-zµ])/, '$1 $2');
-  if (kind === 'stuck') return value === '' ? p('stuckNow') : p('stuckAt', value);
-  return kind === 'drift' ? p('drifts', value) : kind === 'late' ? p('lateBy', value) : p('bouncesFor', value);
+  return fault === undefined ? '' : inWords(fault);
 }
 
 const calm = matchMedia('(prefers-reduced-motion: reduce)');

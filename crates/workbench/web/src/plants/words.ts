@@ -20,7 +20,7 @@ const WORDS = {
   drifts: ['drifts by {0} a second', 'driftet um {0} je Sekunde'],
   lateBy: ['late by {0}', 'um {0} verspätet'],
   bouncesFor: ['bounces for {0}', 'prellt {0} lang'],
-  faultOfSignal: ['{0} is {1}', '{0}: {1}'],
+  faultOfSignal: ['{0}: {1}', '{0}: {1}'],
   endAll: ['End all faults', 'Alle Fehler beenden'],
   faultEnds: ['Choose a fault that is ticked to end it.', 'Ein angekreuzter Fehler endet, wenn er gewählt wird.'],
   // dosing
