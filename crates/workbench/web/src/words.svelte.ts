@@ -85,11 +85,12 @@ const WORDS = {
   offStartup: ['The CPU starts', 'Die CPU läuft an'],
   // live
   plant: ['Plant', 'Anlage'],
-  noPlant: ['This project has no simulated plant. Switch its inputs on the rack.', 'Dieses Projekt hat keine simulierte Anlage. Die Eingänge lassen sich an der Baugruppe schalten.'],
+  noPlant: ['This project has no simulated plant. Add a [[module]] to sieben.toml, or switch its inputs on the rack.', 'Dieses Projekt hat keine simulierte Anlage. Ein [[module]] in sieben.toml ergänzen oder die Eingänge an der Baugruppe schalten.'],
   fault: ['Fault', 'Fehler'],
   faultTitle: ['Let a part of the plant fail', 'Einen Teil der Anlage ausfallen lassen'],
   rack: ['I/O rack', 'E/A-Baugruppen'],
   rackHint: ['click = input', 'Klick = Eingang'],
+  noRack: ['No input or output has a symbol, and no plant has terminals. Give an input a symbol, and it is here.', 'Kein Ein- oder Ausgang hat ein Symbol, und keine Anlage hat Klemmen. Ein Eingang mit Symbol steht hier.'],
   driven: ['driven by the plant', 'von der Anlage'],
   free: ['free', 'frei'],
   writeNumber: ['Write a whole number: `25`.', 'Eine ganze Zahl schreiben: `25`.'],
