@@ -44,6 +44,8 @@ export interface PlantLook {
   state: [string, number, string][];
   /** Faults that it has, in the words of `--fault`. */
   faults: string[];
+  /** Those of them whose time it is. */
+  acting?: string[];
 }
 
 export interface Leds {
