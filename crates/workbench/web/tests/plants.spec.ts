@@ -204,15 +204,15 @@ test.describe('traffic light', () => {
 
 test.describe('heater', () => {
   // Slow enough for a busy computer: its organization block of 100 ms must not be late.
-  test.use({ example: 'heater' });
+  test.use({ example: 'heater', further: ['--speed', '0.4x'] });
   test('it is heated when it is switched on', async ({ page }) => {
     await open(page);
     await expect(sentence(page)).toContainText('It has 20.0 °C, not changing.');
     await is(page, 'thermostat', 1);
     await toggle(page, '8.0');
-    await expect.poll(async () => Number(await id(page, 'plant-heat').getAttribute('data-value'))).toBeGreaterThan(50);
-    await expect(sentence(page)).toContainText('rising by');
-    await expect.poll(async () => Number.parseFloat((await id(page, 'temperature').textContent()) ?? '')).toBeGreaterThan(21);
+    await expect.poll(async () => Number(await id(page, 'plant-heat').getAttribute('data-value')), { timeout: 20_000 }).toBeGreaterThan(50);
+    await expect(sentence(page)).toContainText('rising by', { timeout: 20_000 });
+    await expect.poll(async () => Number.parseFloat((await id(page, 'temperature').textContent()) ?? ''), { timeout: 20_000 }).toBeGreaterThan(21);
     await expect(id(page, 'in-IW0')).toContainText(/2\d\.\d °C/);
   });
 });
