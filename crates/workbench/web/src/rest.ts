@@ -211,7 +211,12 @@ export const rest = {
 
   mode: (body: { mode: 'run' | 'stop' | 'mres'; restart?: string }) => call<void>('POST', 'mode', body),
   time: (body: { pause: true } | { go: true } | { step: string; n: number } | { speed: number }) => call<void>('POST', 'time', body),
-  set: (values: Record<string, boolean | number | string>) => call<void>('PATCH', 'tags', values),
+  /** All of them, or the first that could not be written. */
+  set: async (values: Record<string, boolean | number | string>): Promise<void> => {
+    const { items } = await call<Written>('PATCH', 'tags', values);
+    const wrong = items.find((one) => one.error !== undefined);
+    if (wrong?.error !== undefined) throw new Problem(422, wrong.error.code, `${wrong.name}: ${wrong.error.message}`);
+  },
   force: (body: { name: string; value: string; reason: string }) => call<Force[]>('POST', 'forces', body),
   release: (address?: string) => call<Force[]>('DELETE', address === undefined ? 'forces' : `forces/${name(address)}`),
   fault: (signal: string, fault: string) => call<void>('POST', 'faults', { name: signal, fault }),

@@ -1,6 +1,6 @@
 // The real binary with a page: each test has a run of its own, on a copy of one of the examples or on a project that it writes itself. `SIEBEN` names the binary.
 import { spawn, type ChildProcess } from 'node:child_process';
-import { cpSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { cpSync, existsSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { createServer } from 'node:net';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -8,7 +8,12 @@ import { fileURLToPath } from 'node:url';
 import { expect, test as base, type Page } from '@playwright/test';
 
 const ROOT = fileURLToPath(new URL('../../../../', import.meta.url));
-const BINARY = process.env['SIEBEN'] ?? join(process.env['CARGO_TARGET_DIR'] ?? join(ROOT, 'target'), 'debug/sieben');
+export const BINARY = process.env['SIEBEN'] ?? join(process.env['CARGO_TARGET_DIR'] ?? join(ROOT, 'target'), 'debug/sieben');
+/** Where the examples are. */
+export const EXAMPLES = join(ROOT, 'examples');
+/** The Python whose modules `cargo xtask clients` has installed. */
+const CLIENT_PYTHON = join(ROOT, 'target/clients/python-snap7/bin/python');
+export const PYTHON = existsSync(CLIENT_PYTHON) ? CLIENT_PYTHON : 'python3';
 /** Within this time a run says where its page is. */
 const STARTS_WITHIN = 20_000;
 

@@ -1,14 +1,12 @@
-// Checks of the contract: watch.
-import { expect, id, open, test } from './sieben';
+// Checks of the contract: watch tables, forcing, timing diagram.
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { BINARY, expect, id, open, scan, test, type Page } from './sieben';
 
-test('49–55: watch, modify, force, trigger', async ({ page }) => {
-  await open(page, '#watch');
-  await id(page, 'watch-add').fill('LITRES');
-  await id(page, 'watch-add').press('Enter');
-  await expect(id(page, 'watch-row-C0')).toHaveCount(2);
-  await id(page, 'watch-row-C0').nth(1).getByTestId('watch-new-C0').fill('7');
-  await id(page, 'watch-row-C0').nth(1).getByTestId('watch-tick-C0').check();
-  await id(page, 'watch-modify').click();
+/** Forces STOP of the dosing plant to 0, as a user does. */
+async function forceStop(page: Page): Promise<void> {
   await id(page, 'force-address').fill('STOP');
   await id(page, 'force-value').fill('0');
   await id(page, 'force-add').click();
@@ -16,24 +14,152 @@ test('49–55: watch, modify, force, trigger', async ({ page }) => {
   await expect(dialog.getByLabel('Value')).toHaveValue('0');
   await dialog.getByLabel('Reason').fill('wire broken');
   await dialog.getByRole('button', { name: /^Force/ }).click();
-  await expect(id(page, 'force-I0.1')).toContainText('wire broken');
-  await expect(id(page, 'led-frce')).toHaveAttribute('data-on', '1');
-  await expect(id(page, 'watch-row-I0.1')).toHaveClass(/forced/);
-  await expect(id(page, 'watch-row-I0.1')).toContainText('forced');
-  await id(page, 'force-release-I0.1').click();
-  await expect(id(page, 'led-frce')).toHaveAttribute('data-on', '0');
-  await expect(id(page, 'watch-force-C0')).toHaveCount(0);
-  await id(page, 'trigger').fill('VALVE rises');
-  await id(page, 'trigger').press('Enter');
-  await page.keyboard.press('Escape');
-  await id(page, 'nav-live').click();
-  await expect(id(page, 'plant-start')).toBeVisible();
+}
+
+test('49: address and symbol complete each other', async ({ page }) => {
+  await open(page, '#watch/other');
+  for (const [typed, row, symbol] of [['LITRES', 'C0', 'LITRES'], ['q0.0', 'Q0.0', 'VALVE']] as const) {
+    const before = await id(page, `watch-row-${row}`).count();
+    await id(page, 'watch-add').fill(typed);
+    await id(page, 'watch-add').press('Enter');
+    await expect(id(page, `watch-row-${row}`)).toHaveCount(before + 1);
+    await expect(id(page, `watch-row-${row}`).last()).toContainText(symbol);
+    await expect(id(page, 'watch-add')).toHaveValue('');
+  }
 });
 
-test('58: ten thousand rows, a hundred in the page', async ({ page }) => {
-  await open(page, '#watch/big.watch');
-  await expect(id(page, 'watch-table')).toHaveAttribute('aria-rowcount', '10001');
-  expect(await id(page, 'watch-table').locator('tbody tr').count()).toBeLessThanOrEqual(100);
-  await page.locator('.vat-panel .pb').evaluate((node) => (node.scrollTop = 100_000));
-  await expect(page.locator('.vat-panel tr[aria-rowindex="3575"]')).toBeAttached();
+test('50: a value is written once, at the moment that is chosen', async ({ page, request }) => {
+  await open(page, '#watch');
+  const litres = async () => ((await (await request.get('/api/v1/tags?names=C%200')).json()) as { items: { shown: string }[] }).items[0]?.shown ?? '';
+  const modify = id(page, 'watch-modify');
+  await expect(modify).toBeDisabled();
+  await id(page, 'watch-new-C0').fill('17');
+  await expect(modify, 'nothing is ticked').toBeDisabled();
+  await id(page, 'watch-tick-C0').check();
+  await expect(modify).toHaveText('Modify 1 value');
+  expect(await litres()).toContain('0');
+  await modify.click();
+  await expect(id(page, 'watch-value-C0')).toContainText('17');
+  // Once: what the program or another writes after that stays.
+  await request.patch('/api/v1/tags', { data: { 'C 0': 5 } });
+  await expect(id(page, 'watch-value-C0')).toContainText('5');
+  await page.waitForTimeout(500);
+  await expect(id(page, 'watch-value-C0')).not.toContainText('17');
+});
+
+test('50: a value that cannot be written is said, and nothing is lost', async ({ page }) => {
+  await open(page, '#watch');
+  await id(page, 'watch-new-C0').fill('many');
+  await id(page, 'watch-tick-C0').check();
+  await id(page, 'watch-modify').click();
+  await expect(id(page, 'toast')).toContainText(/P\d{4}/);
+  await expect(id(page, 'watch-new-C0')).toHaveValue('many');
+});
+
+test('51–53: forcing is seen everywhere, with who and why', async ({ page, context }) => {
+  await open(page, '#watch');
+  const other = await context.newPage();
+  await open(other, '#watch');
+  await forceStop(page);
+  for (const one of [page, other]) {
+    await expect(id(one, 'force-I0.1')).toContainText('wire broken');
+    await expect(id(one, 'led-frce')).toHaveAttribute('data-on', '1');
+    await expect(id(one, 'watch-row-I0.1')).toHaveClass(/forced/);
+    await expect(id(one, 'watch-row-I0.1')).toContainText('forced');
+    // The program sees the one, the terminal has the other.
+    const values = id(one, 'force-I0.1').locator('dd.mono');
+    await expect(values.nth(0)).toHaveText('0');
+    await expect(values.nth(1)).toHaveText('1');
+  }
+  await id(other, 'force-release-I0.1').click();
+  for (const one of [page, other]) {
+    await expect(id(one, 'led-frce')).toHaveAttribute('data-on', '0');
+    await expect(id(one, 'force-I0.1')).toHaveCount(0);
+    await expect(id(one, 'watch-row-I0.1')).not.toHaveClass(/forced/);
+  }
+});
+
+test('54: a CPU 315 forces inputs and outputs, and says so', async ({ page, request }) => {
+  await open(page, '#watch');
+  await expect(id(page, 'watch-force-I0.1')).toBeVisible();
+  await expect(id(page, 'watch-row-C0')).toBeVisible();
+  await expect(id(page, 'watch-force-C0')).toHaveCount(0);
+  const refused = await request.post('/api/v1/forces', { data: { name: 'C 0', value: 1, reason: 'x' } });
+  expect([refused.status(), ((await refused.json()) as { code: string }).code]).toEqual([404, 'P7003']);
+});
+
+test('55, 56: a trigger keeps its moment, and the cursor is the scan of the page', async ({ page, request }) => {
+  await open(page, '#watch');
+  await id(page, 'trigger').fill('VALVE rises');
+  await id(page, 'trigger').press('Enter');
+  await expect(id(page, 'trigger-state')).not.toContainText('triggered');
+  await request.post('/api/v1/press', { data: { items: ['I 0.0'], ms: 200 } });
+  await expect(id(page, 'trigger-state')).toHaveText(/triggered in scan [\d,]+/);
+  const hit = Number((await id(page, 'trigger-state').textContent())?.replace(/\D/g, ''));
+  const trace = await (await request.get(`/api/v1/trace?from=${hit - 1}&to=${hit}&channels=Q0.0&format=csv`)).text();
+  const values = trace.trim().split(/\r?\n/).slice(1).map((line) => line.split(',').at(-1));
+  expect(values, 'it rose in this scan').toEqual(['0', '1']);
+  await page.waitForTimeout(1500);
+  const box = (await id(page, 'timing').locator('svg').boundingBox()) ?? { x: 0, y: 0, width: 0, height: 0 };
+  await page.mouse.click(box.x + box.width / 2, box.y + 40);
+  await expect(id(page, 'connection')).toHaveText('Past');
+  const n = await scan(page);
+  await expect(id(page, 'timing-foot')).toContainText(`scan ${n.toLocaleString('en-GB')}`);
+  await id(page, 'nav-live').click();
+  expect(await scan(page)).toBe(n);
+  const row = await (await request.get(`/api/v1/trace?from=${n}&to=${n}&channels=C0,I0.7&format=csv`)).text();
+  const flow = row.trim().split(/\r?\n/)[1]?.split(',').at(-1);
+  await expect(id(page, 'in-0.7')).toHaveAttribute('data-on', flow ?? '');
+  await expect(id(page, 'stl-row-15')).toHaveAttribute('data-sta', flow ?? '');
+});
+
+test('55: a trigger that means nothing is said', async ({ page }) => {
+  await open(page, '#watch');
+  await id(page, 'trigger').fill('when it rains');
+  await id(page, 'trigger').press('Enter');
+  await expect(id(page, 'toast')).toBeVisible();
+});
+
+test.describe('in virtual time', () => {
+  test.use({ example: 'traffic-light', further: ['--speed', '2x'] });
+  test('57: the same window as sieben trace writes it', async ({ page, sieben }) => {
+    await open(page, '#watch');
+    await expect.poll(() => scan(page)).toBeGreaterThan(400);
+    await id(page, 'pause').click();
+    await expect(id(page, 'pause')).toContainText('Go on');
+    for (const format of ['vcd', 'csv'] as const) {
+      const asked = page.waitForRequest((request) => request.url().includes('/trace?') && request.url().includes(format));
+      const saved = page.waitForEvent('download');
+      await id(page, 'timing-export').click();
+      await id(page, `timing-export-${format}`).click();
+      const query = new URL((await asked).url()).searchParams;
+      const [from, to, channels] = [Number(query.get('from')), Number(query.get('to')), query.get('channels') ?? ''];
+      expect(to - from).toBeGreaterThan(100);
+      const text = readFileSync(await (await saved).path(), 'utf8');
+      const folder = mkdtempSync(join(tmpdir(), 'sieben-trace-'));
+      const file = join(folder, `window.${format}`);
+      execFileSync(BINARY, ['trace', sieben.folder, '--channels', channels, '--scans', String(to + 1), '--last', String(to - from + 1), `--${format}`, file]);
+      const wanted = readFileSync(file, 'utf8');
+      rmSync(folder, { recursive: true });
+      expect(text).toBe(wanted);
+    }
+  });
+});
+
+const MANY = 10_000;
+test.describe('with ten thousand rows', () => {
+  test.use({ files: { 'big.watch': `name,format,comment\n${Array.from({ length: MANY }, (_, i) => `MB ${i % 2048},DEC,row ${i}`).join('\n')}\n` } });
+  test('58: a hundred of them are in the page', async ({ page }) => {
+    await open(page, '#watch/big.watch');
+    const table = id(page, 'watch-table');
+    await expect(table).toHaveAttribute('aria-rowcount', String(MANY + 1));
+    const body = page.locator('.vat-panel .pb');
+    for (const top of [0, 100_000, 1e9, 5_000]) {
+      await body.evaluate((node, to) => (node.scrollTop = to), top);
+      const first = top === 1e9 ? MANY + 1 : Math.floor(top / 28) + 3;
+      await expect(table.locator(`tr[aria-rowindex="${first}"]`)).toBeInViewport();
+      expect(await table.locator('tbody tr').count()).toBeLessThanOrEqual(100);
+      await expect(table.locator(`tr[aria-rowindex="${first}"] td.v`)).not.toContainText('–');
+    }
+  });
 });
