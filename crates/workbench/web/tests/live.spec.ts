@@ -83,6 +83,8 @@ test('19: the status word is that of the scan', async ({ page }) => {
   await page.waitForTimeout(500);
   await id(page, 'pause').click();
   await expect(id(page, 'pause')).toContainText('Go on');
+  // The last scan arrives.
+  await page.waitForTimeout(500);
   const now = await scan(page);
   await id(page, 'step-scan-back').click();
   await expect.poll(() => scan(page)).toBe(now - 1);

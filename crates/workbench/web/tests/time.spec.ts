@@ -35,17 +35,20 @@ test('21, 23, 26, 27: pause, the past and back; nothing jumps', async ({ page })
   await open(page);
   await page.waitForTimeout(1000);
   const place = async () => [(await id(page, 'strip').boundingBox())?.height, (await id(page, 'stl').boundingBox())?.y];
+  /** Paused, once the last scan has arrived. */
+  const pause = async () => {
+    await id(page, 'pause').click();
+    await expect(id(page, 'pause')).toContainText('Go on');
+    await page.waitForTimeout(500);
+    return scan(page);
+  };
   const before = await place();
-  await id(page, 'pause').click();
-  await expect(id(page, 'pause')).toContainText('Go on');
-  const stands = await scan(page);
+  const stands = await pause();
   await page.waitForTimeout(500);
   expect(await scan(page)).toBe(stands);
   await id(page, 'pause').click();
   await expect(id(page, 'connection')).toHaveText('Live');
-  await id(page, 'pause').click();
-  await expect(id(page, 'pause')).toContainText('Go on');
-  const n = await scan(page);
+  const n = await pause();
   await id(page, 'step-scan-back').click();
   await expect.poll(() => scan(page)).toBe(n - 1);
   await expect(id(page, 'connection')).toHaveText('Past');
