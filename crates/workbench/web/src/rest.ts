@@ -138,6 +138,11 @@ export interface Info {
 }
 
 /** An answer that is no success: the code and the sentence of the product. */
+/** What became of each value that was to be written. */
+interface Written {
+  items: { name: string; error?: { code: string; message: string } }[];
+}
+
 export class Problem extends Error {
   readonly status: number;
   readonly code: string;
