@@ -69,6 +69,7 @@ mod tests {
                 && let Some(next) = self.next.take()
             {
                 exchange(plant, next, (self.desk, self.facts), 0);
+                self.scans = 0;
             }
         }
         fn after_scan(&mut self, plant: &mut Plant) {
@@ -101,9 +102,8 @@ mod tests {
         assert!(!notes.iter().any(|entry| entry.event == Event::Note("of the first".to_owned())), "{notes:?}");
         // Who could stop the first one stops this one.
         request.stop();
-        gate.enter(|plant| plant.pace.end_us = plant.pace.time_us(0) + 100_000).expect("the gate is open");
         let mut around = Around { next: None, desk: &desk, facts: &facts, scans: 0 };
-        assert_eq!(Driver::new(&gate, &desk, &mut around).go_on(), End::Over);
+        assert_eq!(Driver::new(&gate, &desk, &mut around).go_on(), End::Ended);
         assert_eq!(gate.enter(|plant| plant.cpu.mode()).expect("the gate is open"), OperatingMode::Stop);
     }
 }
