@@ -2,6 +2,7 @@
 #![forbid(unsafe_code)]
 
 mod arguments;
+mod chosen;
 mod commands;
 mod control;
 mod diagrams;

@@ -47,6 +47,8 @@ fn moved(page: &mut Page) -> (Value, Value) {
 fn a_page_of_an_example_changes_to_another_and_everybody_stays() {
     let folder = example("dosing");
     let serving = run(&folder, &["run", ".", "--plain"]);
+    let here = folder.path().canonicalize().expect("a folder").display().to_string();
+    assert_eq!(serving.json("GET", "/api/v1/project", "")["path"], here);
     let (mut page, mut other) = (serving.page(""), serving.page(""));
     let first = page.next().expect("a welcome");
     assert_eq!(first["project"], "dosing");
@@ -212,7 +214,17 @@ fn watch_tables_are_files_of_the_project_and_nothing_else() {
     assert!(status == 422 && refused.contains("P7146") && refused.contains("`bad.watch`, line 3: `DECIMAL`"), "{refused}");
     let (status, _, refused) = serving.ask("GET", "/api/v1/watch/huge.watch", "", "");
     assert!(status == 422 && refused.contains("1048576 bytes"), "{refused}");
-    for name in ["link.watch", "secret.txt", "none.watch", "..%2Ftank.watch", "inner%2Finner.watch", "%2Fetc%2Fpasswd", "..", ".watch", "a%00.watch"] {
+    for name in [
+        "link.watch",
+        "secret.txt",
+        "none.watch",
+        "..%2Ftank.watch",
+        "inner%2Finner.watch",
+        "%2Fetc%2Fpasswd",
+        "..",
+        ".watch",
+        "a%00.watch",
+    ] {
         let (status, _, refused) = serving.ask("GET", &format!("/api/v1/watch/{name}"), "", "");
         assert!(status == 404 && refused.contains("P7147"), "{name}: {status} {refused}");
     }

@@ -251,7 +251,15 @@ impl Hub {
             None => {
                 let (tags, plant) = standing.unwrap_or_default();
                 let newest = self.desk_sample(&program, head.newest, wanted);
-                Seen { version: program.version, sample: newest, tags, plant, mode: mode_of(head.mode), scan: head.newest, time_us: head.newest_us }
+                Seen {
+                    version: program.version,
+                    sample: newest,
+                    tags,
+                    plant,
+                    mode: mode_of(head.mode),
+                    scan: head.newest,
+                    time_us: head.newest_us,
+                }
             }
         };
         head.scan = seen.scan;
@@ -560,7 +568,8 @@ impl Onlooker for Hub {
         let (tags, plant) = see(cpu, &items, &wanted);
         lock(&self.reasons).retain(|place, _| wanted.reasons.contains(place) && sample.statements.contains_key(place));
         let version = program.version;
-        let seen = Seen { version, sample: Some(Arc::clone(sample)), tags, plant, mode: cpu.mode(), scan: sample.scan, time_us: sample.time_us };
+        let seen =
+            Seen { version, sample: Some(Arc::clone(sample)), tags, plant, mode: cpu.mode(), scan: sample.scan, time_us: sample.time_us };
         *lock(&self.seen) = Some(seen);
     }
 }

@@ -67,7 +67,8 @@ pub fn parse(name: &str, bytes: &[u8]) -> Result<Vec<Row>, Refusal> {
             return Err(at("a quotation mark is never closed; `\"\"` writes one inside of quotation marks".to_owned()));
         }
         let Some(columns) = &columns else {
-            let found: Vec<Option<usize>> = record.iter().map(|field| COLUMNS.iter().position(|name| field.trim().eq_ignore_ascii_case(name))).collect();
+            let found: Vec<Option<usize>> =
+                record.iter().map(|field| COLUMNS.iter().position(|name| field.trim().eq_ignore_ascii_case(name))).collect();
             if !found.contains(&Some(0)) {
                 return Err(at(format!("the first line names the columns: {}", COLUMNS.join(","))));
             }
@@ -76,7 +77,9 @@ pub fn parse(name: &str, bytes: &[u8]) -> Result<Vec<Row>, Refusal> {
         };
         if record.len() > columns.len() {
             let (fields, most) = (record.len(), columns.len());
-            return Err(at(format!("{fields} fields, but the heading has {most}; a field with the separator in it stands in quotation marks")));
+            return Err(at(format!(
+                "{fields} fields, but the heading has {most}; a field with the separator in it stands in quotation marks"
+            )));
         }
         if record.iter().any(|field| field.len() > WATCH_FIELD_BYTES_MAX) {
             return Err(at(format!("a field has at most {WATCH_FIELD_BYTES_MAX} bytes")));

@@ -26,12 +26,12 @@ use sieben_workspace::status::Desk;
 use sieben_workspace::{Driver, Gate, Pace, Plant, Speed, Surroundings};
 
 use crate::arguments::{DiagnosticsArgument, FaultArguments, ProgramArguments, StrictArgument};
+use crate::chosen::{self, Change, Choice, Chosen, Prepare};
 use crate::control::Server;
 use crate::duration::{cycle_argument, duration_argument};
 use crate::engines::EngineArgument;
 use crate::failure::{Exit, Failure};
 use crate::page::Answers;
-use crate::page::projects::{self, Change, Choice, Chosen, Prepare};
 use crate::palette::Palette;
 use crate::retain::{RetainArguments, Retention, RunTime};
 use crate::screen::{self, Direct, Screen};
@@ -206,7 +206,7 @@ pub(crate) fn run_as(verb: Verb, mut arguments: RunArguments) -> Result<Exit, Fa
     }
     let mut servers = prepared.map(|prepared| prepared.start(build.cpu, &gate, arguments.engine)).transpose()?;
     let stays_with = verb == Verb::Serve || arguments.watch || arguments.duration.is_some();
-    let example = projects::example_of(&build.project).filter(|_| !stays_with);
+    let example = chosen::example_of(&build.project).filter(|_| !stays_with);
     let choice = match example {
         Some(example) => Choice::Examples(example),
         None => Choice::Alone(project.name.clone().unwrap_or_else(|| "Sieben".to_owned())),
@@ -290,7 +290,7 @@ pub(crate) fn run_as(verb: Verb, mut arguments: RunArguments) -> Result<Exit, Fa
 /// Makes the CPU of an example as this run has it.
 fn prepare(engine: EngineArgument, overrides: Overrides, source: TimeSource, cycle: Option<Duration>) -> Prepare {
     Box::new(move |example| {
-        let build = projects::build(example, overrides)?;
+        let build = chosen::build(example, overrides)?;
         let settings = settings(&build, source);
         let cpu = controller::load(&build, engine.factory(StatusBits::Needed), settings);
         let facts = Facts::of(&build, cpu.program());
@@ -301,11 +301,7 @@ fn prepare(engine: EngineArgument, overrides: Overrides, source: TimeSource, cyc
 
 /// What the CPU of a run is set to.
 fn settings(build: &Build, time: TimeSource) -> Settings {
-    Settings {
-        time,
-        date_and_time: if time == TimeSource::Real { now() } else { DateAndTime::DEFAULT },
-        ..controller::settings(build)
-    }
+    Settings { time, date_and_time: if time == TimeSource::Real { now() } else { DateAndTime::DEFAULT }, ..controller::settings(build) }
 }
 
 /// From one scan to the next: as the command line says, else as the project does.

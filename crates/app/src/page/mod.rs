@@ -3,7 +3,6 @@
 pub(crate) mod assignments;
 mod blocks;
 mod flow;
-pub(crate) mod projects;
 mod references;
 pub(crate) mod structure;
 

@@ -21,8 +21,8 @@ use sieben_workspace::{Closed, Driver, Gate, Pace, Plant, Refusal, Speed, Surrou
 use super::operator::{CYCLE_US, Operator, litres};
 use super::plain;
 use super::state::Story;
+use crate::chosen::{self, Change, Choice, Chosen};
 use crate::examples::Example;
-use crate::page::projects::{self, Change, Choice, Chosen};
 
 /// The example that the demo runs.
 const EXAMPLE: &str = "dosing";
@@ -73,7 +73,7 @@ pub(crate) fn example(name: &str) -> Build {
 
 /// The CPU of another example, as the demo has it.
 fn prepare(example: &'static Example) -> Result<Change, Refusal> {
-    let build = projects::build(example, Overrides::default())?;
+    let build = chosen::build(example, Overrides::default())?;
     let cpu = controller::load(&build, Jit::load, controller::settings(&build));
     let facts = Facts::of(&build, cpu.program());
     Ok(Change { example, build, next: Next { cpu, facts, cycle_us: CYCLE_US } })
@@ -140,12 +140,7 @@ impl Demo {
     /// What has been done, at the end.
     pub(crate) fn outcome(&self) -> Outcome {
         let example = self.chosen.example().map_or(EXAMPLE, |example| example.name);
-        self.gate.finish(|plant| Outcome {
-            example,
-            scans: plant.scans,
-            time_ms: self.operator().time_us() / 1_000,
-            litres: litres(plant),
-        })
+        self.gate.finish(|plant| Outcome { example, scans: plant.scans, time_ms: self.operator().time_us() / 1_000, litres: litres(plant) })
     }
 
     fn operator(&self) -> MutexGuard<'_, Operator> {

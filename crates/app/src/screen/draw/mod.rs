@@ -123,7 +123,8 @@ impl Scene<'_> {
             _ => speed.to_owned(),
         };
         let speed = if look.is_paused() { format!("{}, {speed}", self.screen.word(words::PAUSED)) } else { speed };
-        let auto = self.screen.story.as_ref().is_some_and(|story| story.is_on.load(Ordering::Relaxed) && story.has_plant.load(Ordering::Relaxed));
+        let auto =
+            self.screen.story.as_ref().is_some_and(|story| story.is_on.load(Ordering::Relaxed) && story.has_plant.load(Ordering::Relaxed));
         let auto = if auto { format!("{}  ", self.screen.word(words::AUTO)) } else { String::new() };
         let right = Line::from(vec![
             Span::styled(format!(" {auto}"), palette.faint()),

@@ -80,7 +80,8 @@ impl Chosen {
             choice,
             prepare,
             runs: Mutex::new((example, 0)),
-            home: Mutex::new(home.map(Path::to_path_buf)),
+            // Wherever it was named from, it is shown as it lies on the disk.
+            home: Mutex::new(home.map(|home| std::fs::canonicalize(home).unwrap_or_else(|_| home.to_path_buf()))),
             changing: Mutex::default(),
             wanted: Mutex::default(),
             is_wanted: AtomicBool::default(),
@@ -224,7 +225,7 @@ pub(crate) fn example_of(project: &Project) -> Option<&'static Example> {
     let example = Example::by_name(project.settings.name.as_deref()?)?;
     let is_same = |(path, content): &(&str, &str)| files::read(&home.join(path)).is_ok_and(|bytes| bytes == content.as_bytes());
     let came = project.sources.len() == example.project().sources.len();
-    (came && example.compiled().all(|file| is_same(file))).then_some(example)
+    (came && example.compiled().all(is_same)).then_some(example)
 }
 
 /// The program of an example, with what the command line says about programs.
