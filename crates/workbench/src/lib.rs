@@ -2,13 +2,17 @@
 #![forbid(unsafe_code)]
 
 pub mod access;
+mod changes;
 mod forces;
 mod http;
 mod hub;
 pub mod live;
+mod moment;
 mod past;
 mod reference;
 mod server;
+mod stacks;
+mod stepping;
 
 pub use hub::PAGES_MAX;
 pub use reference::{Reference, View};

@@ -15,6 +15,8 @@ use sieben_workspace::project::Build;
 use super::query::Query;
 use crate::access::Role;
 use crate::forces::{REASON_BYTES_MAX, Reason};
+use crate::live::message::mnemonics;
+use crate::live::program::Speech;
 use crate::past::{self, Written};
 use crate::reference::View;
 use crate::server::Shared;
@@ -102,7 +104,7 @@ pub(super) const ROUTES: &[Route] = &[
     change(Method::Post, "mode", "Another operating mode: `run` (with `restart`: `warm`, `cold`, `hot`), `stop`, `mres`.", Some(r#"{"mode":"stop"}"#), |asked| asked.verb("mode")),
     change(Method::Post, "time", "Time stands still, goes on, goes so many scans, or goes so fast.", Some(r#"{"step":"scan","n":1}"#), time),
     get("blocks", "The blocks of the program, as a tree of calls.", |asked| asked.reference(|asked, build| Ok(asked.shared.reference.blocks(build)))),
-    Route { query: &[Parameter { name: "view", about: "`stl`, `lad` or `fbd`" }], ..get("blocks/{block}", "A block with its networks.", block) },
+    Route { query: &[Parameter { name: "view", about: "`stl`, `lad` or `fbd`" }, Parameter { name: "mnemonics", about: "`en` or `de`; those of the source without it" }], ..get("blocks/{block}", "A block with its networks.", block) },
     get("symbols", "The symbols with how often they are used.", |asked| asked.reference(|asked, build| Ok(asked.shared.reference.symbols(build)))),
     Route { query: &[Parameter { name: "name", about: "an address, a symbol or a block; all without one" }], ..get("refs", "Where a name is used.", |asked| asked.reference(|asked, build| asked.shared.reference.refs(build, asked.query.get("name")))) },
     get("assignments", "Which addresses are used.", |asked| asked.reference(|asked, build| Ok(asked.shared.reference.assignments(build)))),
@@ -122,6 +124,7 @@ pub(super) const ROUTES: &[Route] = &[
     get("faults", "The plants with their signals and faults.", |asked| asked.verb("faults")),
     change(Method::Post, "faults", "A signal of a plant fails, or is mended.", Some(r#"{"inject":"tank.level stuck=0"}"#), faults),
     Route { query: &[Parameter { name: "from", about: "the first scan" }, Parameter { name: "to", about: "the last scan" }, Parameter { name: "channels", about: "names, separated by commas" }, Parameter { name: "format", about: "`csv`, `vcd` or `svg`" }], ..get("trace", "Values of scans of the past.", trace) },
+    Route { query: &[Parameter { name: "mnemonics", about: "`en` or `de`; those of the source without it" }], ..get("stacks", "What ran when a statement sent the CPU to STOP: blocks, registers, local data.", |asked| { let speech = Speech { language: asked.language, mnemonics: spelled(asked)? }; crate::stacks::stacks(&asked.shared.hub, speech).map(Reply::Json) }) },
     get("info", "What the run is: its CPU and its servers.", info),
 ];
 
@@ -207,12 +210,19 @@ fn shortened(text: &str) -> String {
     if text.chars().count() > SHOWN { text.chars().take(SHOWN).chain(['…']).collect() } else { text.to_owned() }
 }
 
+/// The mnemonics that are asked for.
+fn spelled(asked: &Asked<'_>) -> Result<Option<Mnemonics>, Refusal> {
+    let word = asked.query.get("mnemonics");
+    word.map(|word| mnemonics(word).ok_or_else(|| wrong("`mnemonics` is `en` or `de`"))).transpose()
+}
+
 fn block(asked: &Asked<'_>) -> Result<Reply, Refusal> {
     let word = asked.query.get("view").unwrap_or("stl");
     let view = View::ALL.iter().find(|(known, _)| *known == word).map(|&(_, view)| view);
     let view = view.ok_or_else(|| wrong("`view` is `stl`, `lad` or `fbd`"))?;
+    let spelled = spelled(asked)?;
     let id = block_of(asked)?;
-    asked.reference(|asked, build| asked.shared.reference.block(build, id, view))
+    asked.reference(|asked, build| asked.shared.reference.block(build, id, (view, spelled)))
 }
 
 fn explain(asked: &Asked<'_>) -> Result<Reply, Refusal> {
@@ -352,11 +362,17 @@ fn trace(asked: &Asked<'_>) -> Result<Reply, Refusal> {
 
 fn info(asked: &Asked<'_>) -> Result<Reply, Refusal> {
     let hub = &asked.shared.hub;
-    let cpu = hub.gate.enter(|plant| plant.cpu.cpu_type())?;
+    let read = |plant: &sieben_workspace::Plant| {
+        let cpu = &plant.cpu;
+        (cpu.cpu_type(), cpu.clock().display(), plant.pace.cycle_us, cpu.system_status().memory())
+    };
+    let (cpu, clock, cycle_us, [work, load]) = hub.gate.look(read)?;
     let program = hub.program();
     let used: u64 = program.facts.program.data.values().map(|block| block.image.len() as u64).sum();
     Ok(Reply::Json(json!({
-        "cpu": cpu.name, "project": program.facts.project, "program": program.hash(), "local_data": cpu.local_data, "data_bytes": used,
+        "cpu": cpu.name, "project": program.facts.project, "program": program.hash(), "clock": clock, "cycle_us": cycle_us,
+        "work_memory": work.size, "work_used": work.used, "load_memory": load.size, "load_used": load.used,
+        "local_data": cpu.local_data, "data_bytes": used,
         "servers": [{ "name": "page", "address": asked.shared.access.listen.to_string() }], "connections": hub.facts.connections(),
     })))
 }
