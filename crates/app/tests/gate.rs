@@ -434,11 +434,11 @@ END_ORGANIZATION_BLOCK
             assert!(index == 0 || sample.scan > samples[index - 1].scan);
         }
         let last = samples.last().expect("a sample");
-        let of = |block: BlockId| last.statements.keys().filter(|(known, _)| *known == block).count();
+        let of = |block: BlockId| last.of(block.into()).count();
         assert!(of(ob) > 10, "{:?}", last.statements.keys());
         if text == TIMERS {
             assert_eq!(of(fc), 5, "four statements and the end");
-            let load = &last.statements[&(fc, 0)];
+            let load = &last.statements[&(fc.into(), 0)];
             assert_eq!((load.times, load.after.accu1), (3, 1), "executed for 3, 2 and 1");
         }
     }

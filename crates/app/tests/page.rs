@@ -125,6 +125,231 @@ fn the_past_is_shown_as_it_was_and_who_wrote_it() {
     assert_eq!(rows, ["scan,MW10,M60.0", "2,16#0002,0", "3,16#0003,0", "4,16#0004,0"], "{table}");
 }
 
+/// Two instances of a function block, each with its own constant; OB 1 leaves a statement out as long as M 50.0 is 1.
+const INSTANCES: &str = "FUNCTION_BLOCK FB 1\nVAR_INPUT\n  step : INT;\nEND_VAR\nVAR\n  sum : INT;\nEND_VAR\nBEGIN\nL #sum;\nL #step;\n+I;\nT #sum;\n\
+                         END_FUNCTION_BLOCK\nDATA_BLOCK DB 1\nFB 1\nBEGIN\nEND_DATA_BLOCK\nDATA_BLOCK DB 2\nFB 1\nBEGIN\nEND_DATA_BLOCK\n\
+                         ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\nCALL FB 1, DB 1 (step := 1);\nCALL FB 1, DB 2 (step := 100);\nNETWORK\nA I 0.0;\n\
+                         = M 0.0;\nNETWORK\nL MW 10;\nL 1;\n+I;\nT MW 10;\nEND_ORGANIZATION_BLOCK\n";
+
+fn with_instances() -> Folder {
+    Folder::with(&[("sieben.toml", "[project]\nname = \"two\"\n"), ("main.awl", INSTANCES)])
+}
+
+/// Serves in both engines.
+fn in_both_engines(folder: &Folder, check: impl Fn(&Serving)) {
+    for engine in ["jit", "interpreter"] {
+        check(&Serving::new(folder, &["--page", "127.0.0.1:0", "--engine", engine]));
+    }
+}
+
+#[test]
+fn a_page_that_comes_while_time_stands_still_sees_the_last_scan() {
+    in_both_engines(&project(), |serving| {
+        assert_eq!(serving.json("GET", "/api/v1/stacks", ""), Value::Null, "it runs");
+        serving.json("POST", "/api/v1/time", r#"{"pause":true}"#);
+        let scans = serving.json("GET", "/api/v1/state", "")["scans"].as_u64();
+        let mut page = serving.page("");
+        subscribe(&mut page);
+        page.say(&json!({ "t": "sub", "id": "f", "what": "flow", "block": "OB1", "view": "lad", "networks": [2] }));
+        let mut seen = json!({});
+        let all = |seen: &Value| seen["rows"].is_array() && seen["tags"].is_object() && seen["f"]["2"].is_array();
+        while !all(&seen) {
+            let message = page.until("what stands", |message| message["t"] == "scan");
+            assert_eq!((message["n"].as_u64(), &message["paused"]), (scans, &json!(true)), "{message}");
+            message["s"].as_object().into_iter().flatten().for_each(|(id, part)| seen[id] = part.clone());
+        }
+        assert_eq!((seen["rows"][3][1].as_u64(), seen["rows"][3][3].as_u64()), (Some(1), scans), "{seen}");
+        assert!(seen["rows"][3][5].as_str().is_some_and(|reason| reason.ends_with('.')), "{seen}");
+        assert_eq!(seen["f"]["2"].as_array().map(|marks| marks.is_empty()), Some(false), "{seen}");
+        // Another row is chosen, and its reason comes too.
+        page.say(&json!({ "t": "sub", "id": "rows", "what": "rows", "block": "OB1", "from": 0, "to": 20, "reason": 0 }));
+        let other = page.until("another reason", |message| message["s"]["rows"][0][5].is_string());
+        assert_eq!(other["n"].as_u64(), scans);
+    });
+}
+
+#[test]
+fn an_instance_has_its_own_values() {
+    in_both_engines(&with_instances(), |serving| {
+        let block = serving.json("GET", "/api/v1/blocks/FB1", "");
+        assert_eq!(block["instances"], json!(["DB1", "DB2"]));
+        let mut page = serving.page("");
+        for (id, instance) in [("one", "DB1"), ("two", "DB 2"), ("none", "DB 99")] {
+            page.say(
+                &json!({ "t": "sub", "id": id, "what": "rows", "block": "FB1", "instance": instance, "from": 0, "to": 3, "reason": 1 }),
+            );
+        }
+        page.say(&json!({ "t": "sub", "id": "any", "what": "rows", "block": "FB1", "from": 0, "to": 3 }));
+        let is_whole = |message: &Value| ["one", "two", "any"].iter().all(|id| message["s"][id].is_array());
+        let first = page.until("the rows", |message| is_whole(message) && message["s"]["one"][1][1] == 1);
+        let step = |message: &Value, id: &str| message["s"][id][1][3].as_u64();
+        assert_eq!([step(&first, "one"), step(&first, "two"), step(&first, "any")], [Some(1), Some(100), Some(100)], "{first}");
+        assert_ne!(first["s"]["one"][1][5], first["s"]["two"][1][5], "each has a reason of its own");
+        let newest = page.until("some scans", |message| message["n"].as_u64() > Some(20))["n"].as_u64().expect("a scan");
+        page.say(&json!({ "t": "at", "scan": newest - 10 }));
+        let past = page.until("the past", |message| message["live"] == false && is_whole(message));
+        assert_eq!([step(&past, "one"), step(&past, "two")], [Some(1), Some(100)], "{past}");
+        assert_eq!(past["s"]["one"][3][3].as_u64(), Some(newest - 10), "{past}");
+    });
+}
+
+#[test]
+fn statements_and_networks_are_stepped_through_and_back() {
+    in_both_engines(&with_instances(), |serving| {
+        serving.json("POST", "/api/v1/time", r#"{"pause":true}"#);
+        let scans = serving.json("GET", "/api/v1/state", "")["scans"].as_u64().expect("a number");
+        let mut page = serving.page("");
+        page.say(&json!({ "t": "sub", "id": "rows", "what": "rows", "block": "OB1", "from": 0, "to": 20, "reason": 7 }));
+        page.say(&json!({ "t": "sub", "id": "tags", "what": "tags", "names": ["MW 10,DEC", "DB1.DBW 2,DEC"] }));
+        let begin = page.until("the rows", has_both);
+        let step = |page: &mut Page, unit: &str, n: i64| {
+            page.say(&json!({ "t": "at", "step": unit, "n": n }));
+            page.until("the step", has_both)
+        };
+        let index = |message: &Value| message["pos"]["index"].as_u64();
+        let first = step(&mut page, "statement", 1);
+        assert_eq!((first["n"].as_u64(), first["live"].as_bool(), index(&first)), (Some(scans + 1), Some(false), Some(0)), "{first}");
+        assert_eq!(first["pos"]["block"], "OB1");
+        // The call has come back: one instance is a scan ahead of OB 1.
+        assert_eq!(
+            (count(&first["s"]["tags"]["DB1.DBW 2,DEC"]), count(&first["s"]["tags"]["MW 10,DEC"])),
+            (Some(scans + 1), Some(scans)),
+            "{first}"
+        );
+        let executed =
+            |message: &Value| message["s"]["rows"].as_array().into_iter().flatten().map(|row| row[1].as_u64()).collect::<Vec<_>>();
+        assert_eq!((executed(&first)[0], executed(&first)[7]), (Some(1), Some(2)), "{first}");
+        let back = step(&mut page, "statement", -1);
+        assert_eq!((back["n"].as_u64(), back.get("pos"), &back["s"]), (Some(scans), None, &begin["s"]), "the very same is there again");
+        assert_eq!(step(&mut page, "statement", 1)["s"], first["s"], "and again");
+        let network = step(&mut page, "network", 1);
+        assert_eq!(
+            network["pos"]["line"].as_u64().zip(index(&network)),
+            network["pos"]["line"].as_u64().map(|line| (line, 1)),
+            "{network}"
+        );
+        let second = step(&mut page, "network", 1);
+        assert_eq!(index(&second), Some(3), "{second}");
+        assert!(second["pos"]["reason"].as_str().is_some_and(|reason| reason.ends_with('.')), "{second}");
+        assert_eq!(step(&mut page, "network", -1)["pos"], network["pos"]);
+        let mut last = step(&mut page, "network", 2);
+        while last.get("pos").is_some() {
+            last = step(&mut page, "statement", 1);
+        }
+        assert_eq!((last["n"].as_u64(), count(&last["s"]["tags"]["MW 10,DEC"])), (Some(scans + 1), Some(scans + 1)), "{last}");
+        assert!(!executed(&last).contains(&Some(2)), "nothing is to come at the end: {last}");
+        let scan = step(&mut page, "scan", 1);
+        assert_eq!((scan["n"].as_u64(), scan["live"].as_bool()), (Some(scans + 2), Some(true)), "{scan}");
+        assert_eq!(serving.json("GET", "/api/v1/state", "")["scans"].as_u64(), Some(scans + 2), "the CPU has run two scans for that");
+    });
+}
+
+#[test]
+fn statements_and_reasons_are_shown_in_the_mnemonics_that_are_asked_for() {
+    let folder = with_instances();
+    let serving = Serving::usual(&folder);
+    let shown = |more: &str| -> Vec<(String, String)> {
+        let block = serving.json("GET", &format!("/api/v1/blocks/OB1?view=stl{more}"), "");
+        let statements = block["networks"].as_array().into_iter().flatten().flat_map(|network| network["statements"].as_array()).flatten();
+        statements
+            .map(|one| (one["op"].as_str().unwrap_or_default().to_owned(), one["operand"].as_str().unwrap_or_default().to_owned()))
+            .collect()
+    };
+    let has = |list: &[(String, String)], op: &str, operand: &str| list.iter().any(|one| one.0 == op && one.1 == operand);
+    assert!(has(&shown(""), "A", "I 0.0") && has(&shown("&mnemonics=en"), "A", "I 0.0"), "{:?}", shown(""));
+    assert!(has(&shown("&mnemonics=de"), "U", "E 0.0"), "{:?}", shown("&mnemonics=de"));
+    assert_eq!(serving.ask("GET", "/api/v1/blocks/OB1?mnemonics=fr", "", "").0, 400);
+    let reason = |mnemonics: &str| {
+        let mut page = serving.page("");
+        page.say(&json!({ "t": "hello", "v": 1, "lang": "en", "mnemonics": mnemonics }));
+        page.say(&json!({ "t": "sub", "id": "rows", "what": "rows", "block": "OB1", "from": 2, "to": 2, "reason": 2 }));
+        let message = page.until("a reason", |message| message["s"]["rows"][0][5].is_string());
+        message["s"]["rows"][0][5].as_str().map(str::to_owned).unwrap_or_default()
+    };
+    assert!(reason("en").contains("I 0.0") && reason("de").contains("E 0.0"), "{} {}", reason("en"), reason("de"));
+    assert!(fs::read_to_string(folder.path().join("main.awl")).is_ok_and(|text| text == INSTANCES), "the file stays as it is");
+}
+
+#[test]
+fn entries_of_the_diagnostic_buffer_say_in_which_scan_they_came() {
+    let text = "ORGANIZATION_BLOCK OB 1\nBEGIN\nL MW 10;\nL 1;\n+I;\nT MW 10;\nL 20;\n<I;\nBEC;\nOPN DB [MW 10];\nEND_ORGANIZATION_BLOCK\n";
+    let folder = Folder::with(&[("main.awl", text)]);
+    in_both_engines(&folder, |serving| {
+        until("the CPU stops", || (serving.json("GET", "/api/v1/state", "")["mode"] == "STOP").then_some(()));
+        let scans = serving.json("GET", "/api/v1/state", "")["scans"].as_u64();
+        let mut page = serving.page("");
+        page.say(&json!({ "t": "sub", "id": "d", "what": "diag" }));
+        let list = page.until("the buffer", |message| message["s"]["d"].is_array())["s"]["d"].clone();
+        let cause = list.as_array().and_then(|list| list.iter().find(|entry| entry["place"].is_object())).expect("a cause");
+        assert_eq!((cause["n"].as_u64(), cause["place"]["line"].as_u64()), (scans, Some(10)), "{list}");
+        page.say(&json!({ "t": "sub", "id": "rows", "what": "rows", "block": "OB1", "from": 0, "to": 20 }));
+        let rows = page.until("the rows", |message| message["s"]["rows"].is_array());
+        assert_eq!((rows["n"].as_u64(), rows["s"]["rows"][3][3].as_u64()), (scans, Some(20)), "{rows}");
+        let stacks = serving.json("GET", "/api/v1/stacks", "");
+        assert_eq!(
+            (stacks["n"].as_u64(), stacks["place"]["line"].as_u64(), stacks["i"]["accu1"].as_str()),
+            (scans, Some(10), Some("16#00000014"))
+        );
+        assert_eq!((stacks["b"][0]["block"].as_str(), stacks["source"][2]["failed"].as_bool()), (Some("OB1"), Some(true)), "{stacks}");
+        let info = serving.json("GET", "/api/v1/info", "");
+        assert_eq!((info["work_memory"].as_u64(), info["load_memory"].as_u64()), (Some(384 << 10), Some(8 << 20)), "{info}");
+        assert!(info["clock"].is_string() && info["work_used"].is_u64(), "{info}");
+    });
+}
+
+#[test]
+fn a_change_says_who_made_it() {
+    let text = "DATA_BLOCK DB 1\nSTRUCT\n a : BOOL;\nEND_STRUCT\nBEGIN\nEND_DATA_BLOCK\nORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\nA M 50.0;\nR M 60.0;\n\
+                NETWORK\nA M 50.0;\n= M 60.0;\nNETWORK\nAN M 50.0;\nS M 50.1;\nR M 50.1;\nEND_ORGANIZATION_BLOCK\n";
+    in_both_engines(&Folder::with(&[("main.awl", text)]), |serving| {
+        let mut page = serving.page("");
+        page.say(&json!({ "t": "sub", "id": "c", "what": "changes" }));
+        page.until("the beginning", |message| message["s"]["c"].is_array());
+        // Values are compared from the scan after the subscription on.
+        page.say(&json!({ "t": "sub", "id": "r", "what": "rows", "block": "OB1", "from": 0, "to": 8 }));
+        page.until("some scans", |message| message["s"]["r"].is_array());
+        serving.json("PATCH", "/api/v1/tags", r#"{"M 50.0":true}"#);
+        let mut seen: Vec<Value> = Vec::new();
+        while !["M 50.0", "M 60.0"].iter().all(|&address| seen.iter().any(|change| change["address"] == address)) {
+            let message = page.until("changes", |message| message["s"]["c"]["add"].is_array());
+            seen.extend(message["s"]["c"]["add"].as_array().into_iter().flatten().cloned());
+        }
+        let of = |address: &str| seen.iter().find(|change| change["address"] == address).cloned().unwrap_or_default();
+        assert_eq!(of("M 60.0")["by"], json!({ "block": "OB1", "network": 2, "line": 14 }), "{seen:?}");
+        assert!(of("M 50.0")["peer"].as_str().is_some_and(|peer| peer.starts_with("page 127.0.0.1:")), "{seen:?}");
+        assert_eq!(of("M 50.0").get("by"), None);
+    });
+}
+
+#[test]
+fn before_the_start_and_past_the_end_there_is_a_clean_answer() {
+    let serving = Serving::usual(&project());
+    let mut page = serving.page("");
+    subscribe(&mut page);
+    page.until("some scans", |message| message["n"].as_u64() > Some(5));
+    page.say(&json!({ "t": "at", "step": "scan", "n": i64::MIN }));
+    let first = page.until("the start", |message| message["live"] == false);
+    assert_eq!(first["n"], 0, "{first}");
+    page.say(&json!({ "t": "at", "step": "statement", "n": -3 }));
+    assert_eq!(page.until("a refusal", |message| message["t"] == "event")["code"], "P7139");
+    page.say(&json!({ "t": "at", "scan": u64::MAX }));
+    let newest = page.until("the newest", |message| message["live"] == true);
+    assert!(newest["n"].as_u64() > Some(5), "{newest}");
+    page.say(&json!({ "t": "history", "id": "h", "from": u64::MAX - 1, "to": u64::MAX, "channels": ["MW 10"], "points": u64::MAX }));
+    let history = page.until("an answer", |message| message["t"] == "history");
+    assert_eq!(history["channels"]["MW 10"], json!([]), "{history}");
+    page.say(&json!({ "t": "history", "id": "h", "from": 9, "to": 0, "channels": ["MW 10", "nothing"], "points": 1 }));
+    assert_eq!(page.until("an answer", |message| message["t"] == "history")["channels"], json!({ "MW 10": [], "nothing": [] }));
+    page.say(&json!({ "t": "who", "id": "w", "name": "MW 10", "scan": 0 }));
+    assert_eq!(page.until("who", |message| message["t"] == "who").get("line"), None);
+    for path in ["from=-1&to=3", "from=NaN&to=3", "from=1&to=1e9", "to=3"] {
+        let (status, _, text) = serving.ask("GET", &format!("/api/v1/trace?{path}&channels=MW10"), "", "");
+        assert!(status == 400 && text.contains("P7131"), "{path}: {status} {text}");
+    }
+    let (status, _, text) = serving.ask("GET", "/api/v1/trace?from=900000000&to=18446744073709551615&channels=MW10", "", "");
+    assert!(text.contains("P7139"), "{status} {text}");
+}
+
 #[test]
 fn what_is_done_over_http_is_done_and_noted() {
     let folder = project();

@@ -11,28 +11,29 @@ use std::time::Duration;
 use serde_json::{Value as Json, json};
 use sieben_cpu::{Cpu, OperatingMode, Station};
 use sieben_engine::{Machine, StatementEvent};
-use sieben_lang::reason::{Language, Moment, Reasons};
-use sieben_model::block::BlockId;
+use sieben_lang::reason as lang;
 use sieben_model::item::Item;
 use sieben_model::value::Value;
 use sieben_sim::names::{Name, Shown};
 use sieben_sim::wrap;
 use sieben_workspace::control::answer::Answer;
-use sieben_workspace::control::{Control, CurrentFacts, Request, watched};
+use sieben_workspace::control::{Control, CurrentFacts, Request};
 use sieben_workspace::names::shown_json;
-use sieben_workspace::observed::{Entry, Event};
+use sieben_workspace::past::Viewer;
 use sieben_workspace::refusal::capitalized;
-use sieben_workspace::status::{Desk, Look, Onlooker, Sample};
+use sieben_workspace::status::{Calls, Desk, Look, Onlooker, Sample};
 use sieben_workspace::{Closed, Gate, Plant, Speed};
 use tokio::sync::watch;
 
+use crate::changes::Authors;
 use crate::clients::Rates;
 use crate::forces::Forces;
 use crate::live::content::Content;
 use crate::live::message::Common;
-use crate::live::program::Known;
+use crate::live::program::{Known, Said, Speech};
 use crate::live::shot::{Head, Shot};
 use crate::live::wanted::{AllWanted, Wanted};
+use crate::moment::{Reasons, statements};
 use crate::reference::{Reference, View};
 
 /// Time between two looks, in milliseconds: pages are sent 20 messages a second.
@@ -72,6 +73,15 @@ struct Seen {
     time_us: u64,
 }
 
+/// The last scan as it was run again while no other came.
+#[derive(Default)]
+struct Stood {
+    /// The version of the program that ran.
+    version: u64,
+    viewer: Viewer,
+    known: Option<(u64, Wanted, Arc<Sample>, Reasons)>,
+}
+
 /// What all pages look at.
 pub(crate) struct Hub {
     /// The way in to the CPU.
@@ -88,11 +98,14 @@ pub(crate) struct Hub {
     pub(crate) forces: Forces,
     /// How often clients ask.
     rates: Rates,
+    /// Who changed what.
+    pub(crate) authors: Arc<Authors>,
     visitors: Mutex<BTreeMap<u64, Visitor>>,
     next: AtomicU64,
     program: Mutex<Arc<Known>>,
     meant: Mutex<Meant>,
-    reasons: Mutex<HashMap<(BlockId, u32), [String; 2]>>,
+    reasons: Mutex<Reasons>,
+    stood: Mutex<Stood>,
     seen: Mutex<Option<Seen>>,
     newest: watch::Sender<Option<Arc<Shot>>>,
     ends: AtomicBool,
@@ -132,11 +145,13 @@ impl Hub {
             wanted: AllWanted::default(),
             forces: Forces::default(),
             rates: Rates::default(),
+            authors: Arc::default(),
             visitors: Mutex::default(),
             next: AtomicU64::new(1),
             program,
             meant: Mutex::default(),
             reasons: Mutex::default(),
+            stood: Mutex::default(),
             seen: Mutex::default(),
             newest: watch::Sender::new(None),
             ends: AtomicBool::new(false),
@@ -205,9 +220,9 @@ impl Hub {
             let wanted = self.wanted.together();
             if !wanted.needs_replay() {
                 look = None;
-            } else if look.as_ref().is_none_or(|(before, _)| before.blocks != wanted.blocks) {
+            } else if look.as_ref().is_none_or(|(before, _)| before.calls != wanted.calls) {
                 // The new look begins before the old one ends.
-                look = Some((Arc::clone(&wanted), self.desk.look(wanted.blocks.iter().copied())));
+                look = Some((Arc::clone(&wanted), self.desk.look(wanted.calls.iter().copied())));
             }
             let waited = look.as_ref().and_then(|_| self.desk.wait_for_sample(number, WAIT));
             if let Some((newest, _)) = &waited {
@@ -246,11 +261,12 @@ impl Hub {
             }
         };
         let replayed = taken.filter(|_| is_replayed);
+        let mut reasons = lock(&self.reasons).clone();
         let seen = match replayed {
             Some(seen) => seen,
             None => {
                 let (tags, plant) = standing.unwrap_or_default();
-                let newest = self.desk_sample(&program, head.newest, wanted);
+                let newest = self.last_sample(head.newest, (wanted, &program), &mut reasons);
                 Seen {
                     version: program.version,
                     sample: newest,
@@ -273,10 +289,10 @@ impl Hub {
         if wanted.common.contains(&Common::Leds) {
             common.insert(Common::Leds, leds(seen.mode, forced));
         }
-        let reasons = lock(&self.reasons).clone();
         let before = self.before(&program);
         let flows = self.flows(wanted, &program, seen.sample.as_deref(), before.as_deref());
-        Ok(Shot { head, program, sample: seen.sample, reasons, flows, tags: seen.tags, common })
+        let (position, pending) = Default::default();
+        Ok(Shot { head, program, sample: seen.sample, position, pending, reasons, flows, tags: seen.tags, common })
     }
 
     /// What the lines of networks carry in a scan; where their block did what it did before they carry the same.
@@ -286,23 +302,20 @@ impl Hub {
         program: &Known,
         sample: Option<&Sample>,
         before: Option<&Shot>,
-    ) -> HashMap<(BlockId, View, u32), Json> {
+    ) -> HashMap<(Calls, View, u32), Json> {
         let (Some(build), Some(sample)) = (&program.facts.build, sample) else { return HashMap::new() };
         let before = before.filter(|before| before.program.version == program.version);
-        let known = |of: &(BlockId, View, u32)| {
+        let known = |of: &(Calls, View, u32)| {
             let before = before?;
-            let block = (of.0, 0)..=(of.0, u32::MAX);
-            let now = sample.statements.range(block.clone());
-            let same = before.sample.as_ref()?.statements.range(block).eq(now);
+            let same = before.sample.as_ref()?.of(of.0).eq(sample.of(of.0));
             before.flows.get(of).filter(|_| same).cloned()
         };
-        let flow = |&of: &(BlockId, View, u32)| {
-            let (block, view, network) = of;
-            let statements = sample.statements.range((block, 0)..=(block, u32::MAX));
-            let mut after = statements.map(|(&(_, number), status)| (number, status.after.clone()));
-            (of, known(&of).unwrap_or_else(|| self.reference.flow(build, (block, network, view), &mut after)))
+        let flow = |&of: &(Calls, View, u32)| {
+            let (calls, view, network) = of;
+            let mut after = sample.of(calls).map(|(number, status)| (number, status.after.clone()));
+            (of, known(&of).unwrap_or_else(|| self.reference.flow(build, (calls.block, network, view), &mut after)))
         };
-        wanted.flows.iter().filter(|(block, ..)| sample.blocks.contains(block)).map(flow).collect()
+        wanted.flows.iter().filter(|(calls, ..)| sample.calls.contains(calls)).map(flow).collect()
     }
 
     /// The look before, if it was at the same CPU.
@@ -310,11 +323,35 @@ impl Hub {
         self.newest.borrow().clone().filter(|shot| shot.program.facts.run == program.facts.run)
     }
 
-    /// The newest sample, where it still belongs to the newest scan.
-    fn desk_sample(&self, program: &Known, newest: u64, wanted: &Wanted) -> Option<Arc<Sample>> {
-        let shot = self.before(program)?;
-        let sample = shot.sample.clone()?;
-        (!wanted.blocks.is_empty() && sample.scan == newest).then_some(sample)
+    /// The last scan where no new one came: what was seen of it, else it is run again. While time stands still other blocks are looked at too.
+    fn last_sample(&self, newest: u64, (wanted, program): (&Wanted, &Known), reasons: &mut Reasons) -> Option<Arc<Sample>> {
+        if wanted.calls.is_empty() {
+            return None;
+        }
+        let has_all = |sample: &Sample, reasons: &Reasons| {
+            let said = |place: &(Calls, u32)| reasons.contains_key(place) || !sample.statements.contains_key(place);
+            sample.scan == newest && wanted.calls.iter().all(|calls| sample.calls.contains(calls)) && wanted.reasons.iter().all(said)
+        };
+        let seen = self.before(program).and_then(|shot| shot.sample.clone());
+        if let Some(sample) = seen.filter(|sample| has_all(sample, reasons)) {
+            return Some(sample);
+        }
+        let mut stood = lock(&self.stood);
+        if stood.version != program.version {
+            *stood = Stood { version: program.version, ..Stood::default() };
+        }
+        let Stood { viewer, known, .. } = &mut *stood;
+        let same = |known: &(u64, Wanted, Arc<Sample>, Reasons)| {
+            known.0 == newest && known.1.calls == wanted.calls && known.1.reasons == wanted.reasons
+        };
+        if !known.as_ref().is_some_and(same) {
+            let run = statements(self, viewer, newest, (wanted, program)).ok();
+            *known = run.map(|(sample, said)| (newest, wanted.clone(), Arc::new(sample), said));
+        }
+        let (_, _, sample, said) = known.as_ref()?;
+        reasons.clone_from(said);
+        lock(&self.reasons).clone_from(said);
+        Some(Arc::clone(sample))
     }
 
     fn head(&self, plant: &Plant) -> Head {
@@ -390,14 +427,18 @@ impl Hub {
         let Ok(Answer::Diagnostics(diagnostics)) = control.answer(&self.gate, &self.desk, &Request::Diagnostics { after: 0 }) else {
             return json!([]);
         };
+        // What came since the last scan, while time stands still, came after it.
+        let newest = self.gate.look(|plant| plant.scans).ok();
+        let diagnosed = &self.desk.diagnosed;
+        let scan = |number: u64| if number > diagnosed.newest() { newest } else { diagnosed.scan(number) };
         let entry = |entry: &sieben_workspace::control::answer::Entry| {
             let place = entry.place.as_ref().map(|place| {
                 let block: String = place.block.to_string().split_whitespace().collect();
                 json!({ "block": block, "network": crate::reference::network(program, place), "line": place.line.as_ref().map(|(_, line)| line) })
             });
             let mut object = json!({
-                "id": format!("16#{:04X}", entry.event), "number": entry.number, "text": entry.text, "detail": "", "time": entry.time,
-                "kind": event_kind(entry.event),
+                "id": format!("16#{:04X}", entry.event), "number": entry.number, "n": scan(entry.number), "text": entry.text, "detail": "",
+                "time": entry.time, "kind": event_kind(entry.event),
             });
             if let Some(place) = place {
                 object["place"] = place;
@@ -405,25 +446,6 @@ impl Hub {
             object
         };
         diagnostics.entries.iter().rev().map(entry).collect()
-    }
-
-    /// What changed, oldest first; values are compared for a while after they were asked for.
-    fn changes(&self, program: &Known) -> Content {
-        self.desk.observed.look(program.version, || watched(&program.facts), self.gate.now_us());
-        let (_, entries) = self.desk.observed.newer_than(0);
-        let json = |entry: Entry| {
-            let mut object = json!({ "n": entry.scan, "t_us": entry.time_us });
-            match entry.event {
-                Event::Note(text) => object["note"] = text.into(),
-                Event::Change { name, address, before, after, .. } => {
-                    for (key, text) in [("name", name), ("address", address), ("from", before), ("to", after)] {
-                        object[key] = text.into();
-                    }
-                }
-            }
-            (entry.number, object)
-        };
-        Content::Log(entries.into_iter().map(json).collect())
     }
 
     fn cycle(&self) -> Content {
@@ -542,17 +564,21 @@ fn event_kind(event: u16) -> &'static str {
     }
 }
 
-/// Why a statement did what it did, in the order of [`Language::ALL`].
-pub(crate) fn reasons_of(program: &Known, machine: &Machine, event: &StatementEvent) -> Option<[String; 2]> {
+/// Why a statement did what it did.
+pub(crate) fn reasons_of(program: &Known, machine: &Machine, event: &StatementEvent) -> Option<Arc<Said>> {
     let build = program.facts.build.as_ref()?;
-    let reasons = Reasons::new(&build.compiled, &build.project.texts.program, &build.project.symbols);
-    let moment = Moment { event, before: None, after: machine, fault: None };
-    Some(Language::ALL.map(|language| format!("{}.", capitalized(&reasons.sentence(&moment, language)))))
+    let reasons = lang::Reasons::new(&build.compiled, &build.project.texts.program, &build.project.symbols);
+    let moment = lang::Moment { event, before: None, after: machine, fault: None };
+    let say = |speech: Speech| {
+        let reasons = speech.mnemonics.map_or(reasons, |mnemonics| reasons.spelled(program.spelled(mnemonics)));
+        format!("{}.", capitalized(&reasons.sentence(&moment, speech.language)))
+    };
+    Some(Arc::new(Said::new(say)))
 }
 
 impl Onlooker for Hub {
-    fn statement(&self, machine: &Machine, event: &StatementEvent) {
-        let place = (event.place.block, event.place.statement);
+    fn statement(&self, calls: Calls, machine: &Machine, event: &StatementEvent) {
+        let place = (calls, event.place.statement);
         if !self.wanted.together().reasons.contains(&place) {
             return;
         }

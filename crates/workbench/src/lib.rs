@@ -2,15 +2,19 @@
 #![forbid(unsafe_code)]
 
 pub mod access;
+mod changes;
 mod clients;
 mod forces;
 mod http;
 mod hub;
 pub mod live;
+mod moment;
 mod past;
 mod projects;
 mod reference;
 mod server;
+mod stacks;
+mod stepping;
 
 pub use hub::PAGES_MAX;
 pub use projects::{Listed, PROJECT, Projects};

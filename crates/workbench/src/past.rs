@@ -1,13 +1,9 @@
 //! Scans of the past, for pages: one of them as if it were the newest, values of many, and who wrote a value.
 
-use std::collections::{BTreeMap, HashMap};
-use std::sync::Arc;
-
 use serde_json::{Value as Json, json};
 use sieben_cpu::Station;
 use sieben_engine::{FaultPlace, Machine, StatementEvent, Stored, Tracer};
 use sieben_lang::reason::Language;
-use sieben_model::block::BlockId;
 use sieben_model::item::Item;
 use sieben_model::problems::Problem;
 use sieben_model::value::Value;
@@ -17,13 +13,9 @@ use sieben_sim::timing_diagram::svg;
 use sieben_sim::trace::{CHANNELS_MAX, Keep, Memory, Origin, Recorder, TraceError, csv, vcd};
 use sieben_workspace::Refusal;
 use sieben_workspace::past::{Gone, Seen, Viewer};
-use sieben_workspace::status::{Sample, StatementStatus};
 
-use crate::hub::{Hub, item_of, reasons_of, see};
-use crate::live::message::{Common, History, Who};
-use crate::live::program::Known;
-use crate::live::shot::{Head, Shot};
-use crate::live::wanted::Wanted;
+use crate::hub::{Hub, item_of};
+use crate::live::message::{History, Who};
 
 /// Scans that one question runs again at most: some seconds of work.
 const SCANS_MAX: u64 = 20_000;
@@ -32,57 +24,8 @@ const POINTS_MAX: usize = 10_000;
 /// Scans that are looked through at a time for who wrote a value, from the newest on.
 const WRITERS_STEP: u64 = 500;
 
-fn not_kept(error: Gone) -> Refusal {
+pub(crate) fn not_kept(error: Gone) -> Refusal {
     Refusal::new(Problem::P7139, error.to_string())
-}
-
-/// What the statements of some blocks did in one scan.
-struct Statements<'h> {
-    wanted: &'h Wanted,
-    program: &'h Known,
-    statements: BTreeMap<(BlockId, u32), StatementStatus>,
-    reasons: HashMap<(BlockId, u32), [String; 2]>,
-}
-
-impl Tracer for Statements<'_> {
-    fn statement(&mut self, machine: &Machine, event: &StatementEvent) {
-        let place = (event.place.block, event.place.statement);
-        if !self.wanted.blocks.contains(&place.0) {
-            return;
-        }
-        let times = self.statements.get(&place).map_or(0, |known| known.times).saturating_add(1);
-        let status = StatementStatus { before: event.before.clone(), after: event.after.clone(), times, value: None };
-        self.statements.insert(place, status);
-        if self.wanted.reasons.contains(&place)
-            && let Some(said) = reasons_of(self.program, machine, event)
-        {
-            self.reasons.insert(place, said);
-        }
-    }
-}
-
-/// A scan of the past with all that a page wants of it; how the run goes is that of now.
-///
-/// # Errors
-/// It is not kept.
-pub(crate) fn shot(hub: &Hub, viewer: &mut Viewer, scan: u64, wanted: &Wanted) -> Result<Shot, Refusal> {
-    let program = hub.program();
-    let items: Vec<(String, Option<Item>)> = wanted.names.iter().map(|name| (name.clone(), item_of(name, &program))).collect();
-    let mut told = Statements { wanted, program: &program, statements: BTreeMap::new(), reasons: HashMap::new() };
-    let Seen { mark, cpu } = viewer.traced(hub.desk.past(), scan, &mut told).map_err(not_kept)?;
-    let (tags, plant) = see(cpu, &items, wanted);
-    let mode = crate::hub::mode_word(cpu.mode());
-    let Statements { statements, reasons, .. } = told;
-    let newest = hub.looks().borrow().as_ref().map(|shot| (shot.head.clone(), shot.common.clone()));
-    let (now, mut common) = newest.unwrap_or_default();
-    if let Some(plant) = plant {
-        common.insert(Common::Plant, plant);
-    }
-    let blocks = wanted.blocks.iter().copied().collect();
-    let sample = Sample { scan: mark.scan, time_us: mark.time_us, same: true, blocks, statements };
-    let flows = hub.flows(wanted, &program, Some(&sample), None);
-    let head = Head { scan: mark.scan, time_us: mark.time_us, mode, same: true, why: None, ..now };
-    Ok(Shot { head, program, sample: Some(Arc::new(sample)), reasons, flows, tags, common })
 }
 
 /// A value as a number for a diagram.

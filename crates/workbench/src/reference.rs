@@ -6,6 +6,7 @@ use serde_json::Value as Json;
 use sieben_engine::machine::Registers;
 use sieben_lang::reason::Language;
 use sieben_model::block::BlockId;
+use sieben_model::mnemonics::Mnemonics;
 use sieben_workspace::Refusal;
 use sieben_workspace::control::facts::Placed;
 use sieben_workspace::project::Build;
@@ -32,11 +33,11 @@ impl View {
 pub trait Reference: Send + Sync {
     /// The blocks with code, in the order of a tree of calls.
     fn blocks(&self, build: &Build) -> Json;
-    /// A block with its networks.
+    /// A block with its networks, in a view, and in mnemonics that need not be those of its source.
     ///
     /// # Errors
     /// It has none.
-    fn block(&self, build: &Build, block: BlockId, view: View) -> Result<Json, Refusal>;
+    fn block(&self, build: &Build, block: BlockId, shown: (View, Option<Mnemonics>)) -> Result<Json, Refusal>;
     /// The symbols with their places of use.
     fn symbols(&self, build: &Build) -> Json;
     /// Where a name is used; of all names without one.

@@ -82,6 +82,8 @@ impl Page {
         let reference: Arc<dyn Reference> = Arc::from(reference);
         let hub = Arc::new(Hub::new(gate, desk, facts, Arc::clone(&reference)));
         hub.desk.past().keep();
+        let authors = Arc::clone(&hub.authors);
+        hub.facts.add_listener(Box::new(move |peer, changes| authors.note(peer, changes)));
         hub.desk.set_onlooker(Arc::clone(&hub) as Arc<dyn sieben_workspace::status::Onlooker>);
         let shared = Arc::new(Shared { hub: Arc::clone(&hub), access, reference, projects, metrics, limits: Limits::default() });
         let runtime = tokio::runtime::Builder::new_current_thread().enable_all().max_blocking_threads(WAITING_THREADS_MAX).build()?;

@@ -8,6 +8,7 @@
 pub mod control;
 pub mod controller;
 pub mod coverage;
+pub mod diagnosed;
 pub mod driver;
 pub mod duration;
 pub mod exchange;

@@ -3,19 +3,20 @@
 //! The CPU never leaves machine code for it. A few times a second one scan is recorded, with all that comes in while it runs, and replayed in
 //! the interpreter by another thread; where that ends differently from the real scan, the sample says so.
 
-use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::time::Duration;
 
 use sieben_cpu::{Cpu, EndState, NotReplayed, OperatingMode, RecordedScan, Replayer, Step};
 use sieben_engine::machine::Registers;
-use sieben_engine::{Machine, StatementEvent, Tracer};
+use sieben_engine::{FaultPlace, Machine, StatementEvent, Tracer};
 use sieben_model::block::BlockId;
 
 use sieben_sim::names::Name;
 
+use crate::diagnosed::Diagnosed;
 use crate::gate::Plant;
 use crate::observed::Observed;
 use crate::past::Past;
@@ -45,8 +46,46 @@ pub struct StatementStatus {
 /// The variables that statements of a block write, by the number of the statement from 0.
 pub type Written = Arc<BTreeMap<u32, Name>>;
 
+/// The calls of a block that are looked at: all of them, or those with one instance data block.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Calls {
+    /// The block.
+    pub block: BlockId,
+    /// The number of the instance data block.
+    pub instance: Option<u16>,
+}
+
+impl From<BlockId> for Calls {
+    fn from(block: BlockId) -> Self {
+        Self { block, instance: None }
+    }
+}
+
+/// The instance data blocks that the blocks that run were called with, outermost first: a block may open another one later.
+#[derive(Clone, Debug, Default)]
+pub struct Instances(Vec<u16>);
+
+impl Instances {
+    /// To be told before each statement.
+    pub fn before(&mut self, machine: &Machine) {
+        self.0.truncate(machine.frames.len());
+        let opened = u16::try_from(machine.registers.di_number).unwrap_or_default();
+        self.0.resize(machine.frames.len(), opened);
+    }
+
+    /// What a statement of the block that runs belongs to: all calls of the block, and those with its instance data block.
+    pub fn calls(&self, block: BlockId) -> impl Iterator<Item = Calls> + use<> {
+        let instance = self.0.last().copied().filter(|&number| number > 0);
+        let own = instance.map(|number| Calls { block, instance: Some(number) });
+        std::iter::once(Calls::from(block)).chain(own)
+    }
+}
+
+/// What the statements of calls found and left, by their number from 0.
+pub type Statements = BTreeMap<(Calls, u32), StatementStatus>;
+
 /// The status of one scan.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Sample {
     /// Scans of the run up to this one.
     pub scan: u64,
@@ -54,10 +93,17 @@ pub struct Sample {
     pub time_us: u64,
     /// Whether the replay ended as the real scan did: the same memory, timers and counters.
     pub same: bool,
-    /// The blocks that were looked at.
-    pub blocks: Vec<BlockId>,
-    /// Their statements that were executed, by block and number from 0.
-    pub statements: BTreeMap<(BlockId, u32), StatementStatus>,
+    /// The calls that were looked at.
+    pub calls: Vec<Calls>,
+    /// Their statements that were executed.
+    pub statements: Statements,
+}
+
+impl Sample {
+    /// The statements of some calls that were executed, in the order of their numbers.
+    pub fn of(&self, calls: Calls) -> impl Iterator<Item = (u32, &StatementStatus)> {
+        self.statements.range((calls, 0)..=(calls, u32::MAX)).map(|(&(_, number), status)| (number, status))
+    }
 }
 
 /// What came of a look at the status.
@@ -65,9 +111,9 @@ pub type Looked = Result<Arc<Sample>, NotReplayed>;
 
 /// Sees each scan that is replayed, in the thread that replays.
 pub trait Onlooker: Send + Sync {
-    /// A statement of a block that is looked at was executed; the machine is as it left it.
-    fn statement(&self, machine: &Machine, event: &StatementEvent) {
-        let _ = (machine, event);
+    /// A statement of calls that are looked at was executed; the machine is as it left it.
+    fn statement(&self, calls: Calls, machine: &Machine, event: &StatementEvent) {
+        let _ = (calls, machine, event);
     }
     /// The scan has ended, and so the CPU stands: a copy that only this sees.
     fn ended(&self, cpu: &Cpu, sample: &Arc<Sample>);
@@ -102,12 +148,14 @@ struct Newest {
 pub struct Desk {
     /// Where changes are asked for.
     pub observed: Observed,
+    /// In which scans entries of the diagnostic buffer came.
+    pub diagnosed: Diagnosed,
     /// Blocks that are looked at for a while.
     kept: Mutex<BTreeMap<BlockId, Kept>>,
     /// Until when the last of them is, in the computer's time.
     kept_until_us: AtomicU64,
-    /// How many look at each block.
-    blocks: Mutex<BTreeMap<BlockId, usize>>,
+    /// How many look at which calls.
+    calls: Mutex<BTreeMap<Calls, usize>>,
     /// How many look at all.
     onlookers: AtomicUsize,
     /// When the last scan was recorded.
@@ -131,20 +179,20 @@ pub struct Desk {
     onlooker: OnceLock<Arc<dyn Onlooker>>,
 }
 
-/// Blocks are looked at as long as this is there.
+/// Calls are looked at as long as this is there.
 pub struct Look<'d> {
     desk: &'d Desk,
-    blocks: Vec<BlockId>,
+    calls: Vec<Calls>,
 }
 
 impl Drop for Look<'_> {
     fn drop(&mut self) {
-        let mut known = lock(&self.desk.blocks);
-        for block in &self.blocks {
-            if let Some(count) = known.get_mut(block) {
+        let mut known = lock(&self.desk.calls);
+        for calls in &self.calls {
+            if let Some(count) = known.get_mut(calls) {
                 *count -= 1;
                 if *count == 0 {
-                    known.remove(block);
+                    known.remove(calls);
                 }
             }
         }
@@ -157,16 +205,16 @@ fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 }
 
 impl Desk {
-    /// Looks at blocks from now on, until the look is dropped.
-    pub fn look(&self, blocks: impl IntoIterator<Item = BlockId>) -> Look<'_> {
-        let blocks: Vec<BlockId> = blocks.into_iter().collect();
-        let mut known = lock(&self.blocks);
-        for &block in &blocks {
-            *known.entry(block).or_default() += 1;
+    /// Looks at blocks, or some of their calls, from now on, until the look is dropped.
+    pub fn look<C: Into<Calls>>(&self, calls: impl IntoIterator<Item = C>) -> Look<'_> {
+        let calls: Vec<Calls> = calls.into_iter().map(Into::into).collect();
+        let mut known = lock(&self.calls);
+        for &calls in &calls {
+            *known.entry(calls).or_default() += 1;
         }
         drop(known);
         self.onlookers.fetch_add(1, Ordering::Release);
-        Look { desk: self, blocks }
+        Look { desk: self, calls }
     }
 
     /// The past of the run.
@@ -194,7 +242,11 @@ impl Desk {
     /// One scan, recorded if there are onlookers and it is time. `real_us` is what the computer's clock shows. Of the scans that are asked for
     /// while time stands still the last one is always recorded: it is the one that they look at.
     pub(crate) fn scan(&self, plant: &mut Plant, clock: &mut dyn FnMut() -> u64, real_us: u64) {
+        self.diagnosed.note(plant, plant.scans);
+        // A CPU in STOP only lets its plants live on.
+        let scan = plant.scans + u64::from(plant.cpu.mode() != OperatingMode::Stop);
         self.past.step(plant, Step::Scan, clock, |plant, clock| self.scan_now(plant, clock, real_us));
+        self.diagnosed.note(plant, scan);
     }
 
     /// What comes between two scans.
@@ -286,19 +338,17 @@ impl Desk {
     }
 
     fn sample(&self, recorded: &Recorded, replayer: &mut Replayer) -> Result<Sample, NotReplayed> {
-        let mut blocks: Vec<BlockId> = lock(&self.blocks).keys().copied().collect();
+        let mut calls: BTreeSet<Calls> = lock(&self.calls).keys().copied().collect();
         let mut written = BTreeMap::new();
         for (&block, kept) in lock(&self.kept).iter().filter(|(_, kept)| kept.until_us > recorded.real_us) {
             written.insert(block, Arc::clone(&kept.written));
-            if !blocks.contains(&block) {
-                blocks.push(block);
-            }
+            calls.insert(block.into());
         }
         let onlooker = self.onlooker.get().map(AsRef::as_ref);
-        let mut collector = Collector { blocks, written, statements: BTreeMap::new(), onlooker };
+        let mut collector = Collector { calls, written, onlooker, ..Collector::default() };
         let same = recorded.scan.replay(replayer, &mut collector)?;
-        let Collector { blocks, statements, .. } = collector;
-        Ok(Sample { scan: recorded.number, time_us: recorded.time_us, same, blocks, statements })
+        let Collector { calls, statements, .. } = collector;
+        Ok(Sample { scan: recorded.number, time_us: recorded.time_us, same, calls: calls.into_iter().collect(), statements })
     }
 
     /// Waits for a sample that is newer than `number`, but not longer than `most`; the newest one with its number, if there is any.
@@ -315,38 +365,57 @@ impl Desk {
     }
 }
 
-/// Keeps what the statements of some blocks found and left.
+/// Keeps what the statements of some calls found and left.
+#[derive(Default)]
 struct Collector<'o> {
-    blocks: Vec<BlockId>,
+    calls: BTreeSet<Calls>,
     written: BTreeMap<BlockId, Written>,
-    statements: BTreeMap<(BlockId, u32), StatementStatus>,
+    instances: Instances,
+    statements: Statements,
     onlooker: Option<&'o dyn Onlooker>,
 }
 
 impl Tracer for Collector<'_> {
+    fn pauses_before(&mut self, machine: &Machine, _: FaultPlace) -> bool {
+        self.instances.before(machine);
+        false
+    }
+
     fn statement(&mut self, machine: &Machine, event: &StatementEvent) {
-        let place = (event.place.block, event.place.statement);
-        if !self.blocks.contains(&place.0) {
-            return;
+        for calls in self.instances.calls(event.place.block) {
+            if self.calls.contains(&calls) {
+                self.take(calls, machine, event);
+            }
         }
+    }
+}
+
+impl Collector<'_> {
+    fn take(&mut self, calls: Calls, machine: &Machine, event: &StatementEvent) {
         if let Some(onlooker) = self.onlooker {
-            onlooker.statement(machine, event);
+            onlooker.statement(calls, machine, event);
         }
-        let name = self.written.get(&place.0).and_then(|written| written.get(&place.1));
+        let number = event.place.statement;
+        let name = self.written.get(&calls.block).and_then(|written| written.get(&number)).filter(|_| calls.instance.is_none());
         let value = name.and_then(|name| name.shown_in(machine, &event.after)).map(|shown| shown.readable());
-        let full = self.statements.len() >= STATEMENTS_MAX;
-        match self.statements.entry(place) {
-            Entry::Occupied(mut known) => {
-                let status = known.get_mut();
-                status.before.clone_from(&event.before);
-                status.after.clone_from(&event.after);
-                status.times = status.times.saturating_add(1);
-                status.value = value;
-            }
-            Entry::Vacant(_) if full => {}
-            Entry::Vacant(place) => {
-                place.insert(StatementStatus { before: event.before.clone(), after: event.after.clone(), times: 1, value });
-            }
+        keep(&mut self.statements, (calls, number), event, value);
+    }
+}
+
+/// Keeps what a statement found and left when it was executed last; of too many only those that came first.
+pub fn keep(statements: &mut Statements, place: (Calls, u32), event: &StatementEvent, value: Option<String>) {
+    let full = statements.len() >= STATEMENTS_MAX;
+    match statements.entry(place) {
+        Entry::Occupied(mut known) => {
+            let status = known.get_mut();
+            status.before.clone_from(&event.before);
+            status.after.clone_from(&event.after);
+            status.times = status.times.saturating_add(1);
+            status.value = value;
+        }
+        Entry::Vacant(_) if full => {}
+        Entry::Vacant(place) => {
+            place.insert(StatementStatus { before: event.before.clone(), after: event.after.clone(), times: 1, value });
         }
     }
 }

@@ -8,11 +8,12 @@ use sieben_ide::drawing::flow::{Executed, Status};
 use sieben_ide::drawing::svg::{Picture, svg};
 use sieben_ide::target::Target;
 use sieben_lang::body::CheckedBody;
+use sieben_lang::stl::convert::{Translated, translations};
 use sieben_model::address::Operand;
 use sieben_model::block::BlockId;
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
-use sieben_model::source::Span;
+use sieben_model::source::{FileId, Span};
 use sieben_workbench::View;
 use sieben_workspace::Refusal;
 use sieben_workspace::places::Places;
@@ -109,13 +110,14 @@ struct Network {
 }
 
 /// A block with its networks.
-pub(super) fn block(build: &Build, block: BlockId, view: View) -> Result<Value, Refusal> {
+pub(super) fn block(build: &Build, block: BlockId, (view, mnemonics): (View, Option<Mnemonics>)) -> Result<Value, Refusal> {
     let Some(code) = build.compiled.program.code.get(&block) else {
         return Err(Refusal::new(Problem::P7095, format!("{block} has no statements in this program")));
     };
     let places = Places::new(build);
     let diagrams = Diagrams::new(build, &places);
     let mut networks: BTreeMap<u32, Network> = BTreeMap::new();
+    let spelling = Spelling::of(build, code.spans.first().map(|span| span.file), mnemonics);
     let body = build.compiled.bodies.get(&block);
     for (number, &span) in (0_u32..).zip(&code.spans) {
         if body.is_some_and(|body| !body.is_written(number)) {
@@ -123,7 +125,7 @@ pub(super) fn block(build: &Build, block: BlockId, view: View) -> Result<Value, 
         }
         let network = body.and_then(|body| body.network(number)).unwrap_or(1);
         let stated = body.and_then(|body| body.stated(number));
-        networks.entry(network).or_default().statements.push(statement(build, &places, span, number, stated));
+        networks.entry(network).or_default().statements.push(statement(build, (&places, &spelling), (span, number), stated));
     }
     let code_block = diagrams.blocks().find(|(id, _)| *id == block).map(|(_, block)| block);
     for written in code_block.map_or(&[][..], |block| &block.networks) {
@@ -160,13 +162,47 @@ pub(super) fn block(build: &Build, block: BlockId, view: View) -> Result<Value, 
     }))
 }
 
+/// In which mnemonics the statements of a block are shown.
+struct Spelling {
+    shown: Mnemonics,
+    /// Words of its source that are others then.
+    words: Vec<Translated>,
+}
+
+impl Spelling {
+    fn of(build: &Build, file: Option<FileId>, wanted: Option<Mnemonics>) -> Self {
+        let written = file.and_then(|file| build.compiled.mnemonics.get(&file)).copied();
+        let (Some(file), Some(from), Some(shown)) = (file, written, wanted.filter(|&wanted| Some(wanted) != written)) else {
+            return Self { shown: wanted.or(written).unwrap_or_default(), words: Vec::new() };
+        };
+        let texts = &build.project.texts.program;
+        let text = texts.iter().find(|&(id, _)| id == file).map_or("", |(_, file)| &file.text);
+        Self { shown, words: translations(text, Some(from), shown, None) }
+    }
+
+    /// The first line of a statement that stands at this byte of its source, with single spaces.
+    fn spelled(&self, text: &str, start: usize) -> String {
+        let text = text.lines().next().unwrap_or_default();
+        let end = start + text.len();
+        let first = self.words.partition_point(|(range, _)| range.start < start);
+        let (mut out, mut at) = (String::with_capacity(text.len()), start);
+        for (range, word) in self.words.iter().skip(first).take_while(|(range, _)| range.end <= end) {
+            out.push_str(text.get(at - start..range.start - start).unwrap_or_default());
+            out.push_str(word);
+            at = range.end;
+        }
+        out.push_str(text.get(at - start..).unwrap_or_default());
+        out.split_whitespace().collect::<Vec<_>>().join(" ")
+    }
+}
+
 /// A statement: line, label, operation, operand with its symbol, comment.
-fn statement(build: &Build, places: &Places<'_>, span: Span, number: u32, stated: Option<&str>) -> Value {
+fn statement(build: &Build, (places, spelling): (&Places<'_>, &Spelling), (span, number): (Span, u32), stated: Option<&str>) -> Value {
     let texts = &build.project.texts.program;
     let is_there = (span.file.0 as usize) < texts.iter().len();
     let text = match stated {
         Some(stated) => stated.to_owned(),
-        None if is_there => places.text(span),
+        None if is_there => spelling.spelled(texts.slice(span), span.start as usize),
         None => String::new(),
     };
     let text = text.trim().trim_end_matches(';').trim_end();
@@ -177,7 +213,7 @@ fn statement(build: &Build, places: &Places<'_>, span: Span, number: u32, stated
     let symbol = meant.as_ref().and_then(|meant| symbols.find_operand(meant));
     let mut object = json!({
         "number": number, "line": if is_there { places.line(span) } else { 0 }, "op": operation,
-        "operand": if operand.starts_with('"') { meant.as_ref().map_or_else(|| operand.to_owned(), |meant| meant.spell(Mnemonics::English)) } else { operand.to_owned() },
+        "operand": if operand.starts_with('"') { meant.as_ref().map_or_else(|| operand.to_owned(), |meant| meant.spell(spelling.shown)) } else { operand.to_owned() },
         "symbol": symbol.map_or("", |symbol| &symbol.name),
     });
     if let Some(address) = meant.filter(|meant| !matches!(meant, Operand::Block(_))) {

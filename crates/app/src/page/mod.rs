@@ -16,6 +16,7 @@ use sieben_ide::cross_reference::CrossReference;
 use sieben_lang::reason::Language;
 use sieben_lang::stl::instructions::Instruction;
 use sieben_model::block::BlockId;
+use sieben_model::mnemonics::Mnemonics;
 use sieben_workbench::{Reference, View};
 use sieben_workspace::Refusal;
 use sieben_workspace::places::Places;
@@ -32,8 +33,8 @@ impl Reference for Answers {
         blocks::list(build)
     }
 
-    fn block(&self, build: &Build, block: BlockId, view: View) -> Result<Value, Refusal> {
-        blocks::block(build, block, view)
+    fn block(&self, build: &Build, block: BlockId, shown: (View, Option<Mnemonics>)) -> Result<Value, Refusal> {
+        blocks::block(build, block, shown)
     }
 
     fn symbols(&self, build: &Build) -> Value {

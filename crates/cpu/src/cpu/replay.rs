@@ -176,7 +176,7 @@ impl Recording {
 }
 
 impl Replayer {
-    /// The CPU after so many steps of a recording; of the last one a tracer is told each statement.
+    /// The CPU after so many steps of a recording; of the last one a tracer is told each statement. Where that pauses, the CPU is as it was there.
     ///
     /// # Errors
     /// One of the steps cannot be taken again.
@@ -229,7 +229,8 @@ impl Replayer {
             }
             same &= next == end;
         }
-        self.at = Some((Arc::clone(beginning), steps));
+        // What a tracer has paused in the middle of a step is played from its beginning the next time.
+        self.at = (!cpu.is_paused()).then(|| (Arc::clone(beginning), steps));
         Ok((cpu, same))
     }
 }

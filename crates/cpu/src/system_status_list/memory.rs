@@ -8,19 +8,39 @@ const WORK_MEMORY: &[(&str, u32)] =
 /// Bytes of the load memory: that of a large memory card.
 const LOAD_MEMORY: u32 = 8 << 20;
 
-/// List 16#xy13: work memory and load memory.
-pub(super) fn areas(status: &SystemStatus<'_>) -> Vec<Vec<u8>> {
+/// A memory of the CPU.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct MemoryUse {
+    /// Its bytes.
+    pub size: u32,
+    /// Those that the values of data blocks take.
+    pub used: u32,
+}
+
+impl SystemStatus<'_> {
+    /// The work memory and the load memory.
+    pub fn memory(&self) -> [MemoryUse; 2] {
+        memory(self)
+    }
+}
+
+fn memory(status: &SystemStatus<'_>) -> [MemoryUse; 2] {
     let work = WORK_MEMORY.iter().find(|row| row.0 == status.cpu_type.name).map_or(WORK_MEMORY[0].1, |row| row.1);
     let loaded: usize = status.program.data.values().map(|block| block.image.len()).sum();
     let used = status.program.data.values().filter(|block| !block.unlinked).map(|block| block.image.len()).sum::<usize>();
-    let row = |index: u16, size: u32, used: usize| {
-        let used = u32::try_from(used).unwrap_or(u32::MAX).min(size);
+    let of = |size: u32, used: usize| MemoryUse { size, used: u32::try_from(used).unwrap_or(u32::MAX).min(size) };
+    [of(work, used), of(LOAD_MEMORY, loaded)]
+}
+
+/// List 16#xy13: work memory and load memory.
+pub(super) fn areas(status: &SystemStatus<'_>) -> Vec<Vec<u8>> {
+    let row = |(index, MemoryUse { size, used }): (u16, MemoryUse)| {
         let largest = size - used;
         let [size, used, largest] = [size, used, largest].map(u32::to_be_bytes);
         // Code and number of the area, its size, mode, granularity; size, used and largest free block of its first part.
         record(36, &[&index.to_be_bytes(), &index.to_be_bytes(), &size, &[0, 1], &[0, 1], &size, &used, &largest])
     };
-    vec![row(1, work, used), row(2, LOAD_MEMORY, loaded)]
+    (1..).zip(memory(status)).map(row).collect()
 }
 
 /// List 16#xy14: process image, bit memory, timers, counters, peripheral addresses, local data.

@@ -3,7 +3,7 @@
 mod communication;
 mod diagnosis;
 mod identification;
-mod memory;
+pub mod memory;
 mod modules;
 mod operation;
 

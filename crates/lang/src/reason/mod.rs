@@ -6,7 +6,10 @@
 
 pub mod examples;
 
-use sieben_model::source::Sources;
+use std::collections::BTreeMap;
+
+use sieben_model::mnemonics::Mnemonics;
+use sieben_model::source::{FileId, Sources};
 use sieben_model::symbols::SymbolTable;
 
 use crate::compiled::Compiled;
@@ -27,6 +30,12 @@ impl<'a> Reasons<'a> {
     pub fn new(compiled: &'a Compiled, sources: &'a Sources, symbols: &'a SymbolTable) -> Self {
         let Compiled { program, block_names, mnemonics, .. } = compiled;
         Self { compiled, around: Surroundings { program, block_names, mnemonics, sources, symbols } }
+    }
+
+    /// The same with addresses spelled in these mnemonics instead of those of each file.
+    #[must_use]
+    pub fn spelled(self, mnemonics: &'a BTreeMap<FileId, Mnemonics>) -> Self {
+        Self { around: Surroundings { mnemonics, ..self.around }, ..self }
     }
 
     /// The reason without the statement before it, beginning in lower case and without a full stop; empty if the program has no such

@@ -40,6 +40,23 @@ pub fn convert_as(text: &str, from: Option<Mnemonics>, to: Mnemonics, drawing: O
     Ok(out)
 }
 
+/// A part of a source and what stands there in the other language.
+pub type Translated = (std::ops::Range<usize>, String);
+
+/// The words of a source that are others in the language `to`, in their order; none where the source has errors of syntax.
+pub fn translations(text: &str, from: Option<Mnemonics>, to: Mnemonics, drawing: Option<Drawing>) -> Vec<Translated> {
+    let parsed = parse_as(FileId::default(), text, from, drawing);
+    if parsed.diagnostics.iter().any(stops_rewriting) {
+        return Vec::new();
+    }
+    let tokens = parsed.syntax().descendants_with_tokens().filter_map(NodeOrToken::into_token);
+    let word = |token: SyntaxToken| {
+        let range = token.text_range();
+        Some((usize::from(range.start())..usize::from(range.end()), translated(&token, parsed.mnemonics, to)?))
+    };
+    tokens.filter_map(word).collect()
+}
+
 /// The addresses of a diagram in another language; its words are the same in both.
 fn diagram(text: &str, to: Mnemonics) -> Option<String> {
     let mut out = String::with_capacity(text.len());

@@ -17,6 +17,8 @@ use sieben_workspace::watch_table::{self, Row};
 use super::query::Query;
 use crate::access::Role;
 use crate::forces::{REASON_BYTES_MAX, Reason};
+use crate::live::message::mnemonics;
+use crate::live::program::Speech;
 use crate::past::{self, Written};
 use crate::projects::PROJECT;
 use crate::reference::View;
@@ -105,7 +107,7 @@ pub(super) const ROUTES: &[Route] = &[
     change(Method::Post, "mode", "Another operating mode: `run` (with `restart`: `warm`, `cold`, `hot`), `stop`, `mres`.", Some(r#"{"mode":"stop"}"#), |asked| asked.verb("mode")),
     change(Method::Post, "time", "Time stands still, goes on, goes so many scans, or goes so fast.", Some(r#"{"step":"scan","n":1}"#), time),
     get("blocks", "The blocks of the program, as a tree of calls.", |asked| asked.reference(|asked, build| Ok(asked.shared.reference.blocks(build)))),
-    Route { query: &[Parameter { name: "view", about: "`stl`, `lad` or `fbd`" }], ..get("blocks/{block}", "A block with its networks.", block) },
+    Route { query: &[Parameter { name: "view", about: "`stl`, `lad` or `fbd`" }, Parameter { name: "mnemonics", about: "`en` or `de`; those of the source without it" }], ..get("blocks/{block}", "A block with its networks.", block) },
     get("symbols", "The symbols with how often they are used.", |asked| asked.reference(|asked, build| Ok(asked.shared.reference.symbols(build)))),
     Route { query: &[Parameter { name: "name", about: "an address, a symbol or a block; all without one" }], ..get("refs", "Where a name is used.", |asked| asked.reference(|asked, build| asked.shared.reference.refs(build, asked.query.get("name")))) },
     get("assignments", "Which addresses are used.", |asked| asked.reference(|asked, build| Ok(asked.shared.reference.assignments(build)))),
@@ -129,6 +131,7 @@ pub(super) const ROUTES: &[Route] = &[
     change(Method::Post, "project", "Another example runs from now on, with a CPU of its own.", Some(r#"{"example":"star-delta"}"#), project),
     get("watch", "The names of the watch tables of the project.", |asked| asked.shared.projects.watch_tables().map(|names| Reply::Json(json!(names)))),
     get("watch/{file}", "The rows of a watch table.", watch_table),
+    Route { query: &[Parameter { name: "mnemonics", about: "`en` or `de`; those of the source without it" }], ..get("stacks", "What ran when a statement sent the CPU to STOP: blocks, registers, local data.", |asked| { let speech = Speech { language: asked.language, mnemonics: spelled(asked)? }; crate::stacks::stacks(&asked.shared.hub, speech).map(Reply::Json) }) },
     get("info", "What the run is: its CPU and its servers.", info),
 ];
 
@@ -214,12 +217,19 @@ fn shortened(text: &str) -> String {
     if text.chars().count() > SHOWN { text.chars().take(SHOWN).chain(['…']).collect() } else { text.to_owned() }
 }
 
+/// The mnemonics that are asked for.
+fn spelled(asked: &Asked<'_>) -> Result<Option<Mnemonics>, Refusal> {
+    let word = asked.query.get("mnemonics");
+    word.map(|word| mnemonics(word).ok_or_else(|| wrong("`mnemonics` is `en` or `de`"))).transpose()
+}
+
 fn block(asked: &Asked<'_>) -> Result<Reply, Refusal> {
     let word = asked.query.get("view").unwrap_or("stl");
     let view = View::ALL.iter().find(|(known, _)| *known == word).map(|&(_, view)| view);
     let view = view.ok_or_else(|| wrong("`view` is `stl`, `lad` or `fbd`"))?;
+    let spelled = spelled(asked)?;
     let id = block_of(asked)?;
-    asked.reference(|asked, build| asked.shared.reference.block(build, id, view))
+    asked.reference(|asked, build| asked.shared.reference.block(build, id, (view, spelled)))
 }
 
 fn explain(asked: &Asked<'_>) -> Result<Reply, Refusal> {
@@ -377,11 +387,17 @@ fn watch_table(asked: &Asked<'_>) -> Result<Reply, Refusal> {
 
 fn info(asked: &Asked<'_>) -> Result<Reply, Refusal> {
     let hub = &asked.shared.hub;
-    let cpu = hub.gate.enter(|plant| plant.cpu.cpu_type())?;
+    let read = |plant: &sieben_workspace::Plant| {
+        let cpu = &plant.cpu;
+        (cpu.cpu_type(), cpu.clock().display(), plant.pace.cycle_us, cpu.system_status().memory())
+    };
+    let (cpu, clock, cycle_us, [work, load]) = hub.gate.look(read)?;
     let program = hub.program();
     let used: u64 = program.facts.program.data.values().map(|block| block.image.len() as u64).sum();
     Ok(Reply::Json(json!({
-        "cpu": cpu.name, "project": program.facts.project, "program": program.hash(), "local_data": cpu.local_data, "data_bytes": used,
+        "cpu": cpu.name, "project": program.facts.project, "program": program.hash(), "clock": clock, "cycle_us": cycle_us,
+        "work_memory": work.size, "work_used": work.used, "load_memory": load.size, "load_used": load.used,
+        "local_data": cpu.local_data, "data_bytes": used,
         "servers": [{ "name": "page", "address": asked.shared.access.listen.to_string() }], "connections": hub.facts.connections(),
     })))
 }

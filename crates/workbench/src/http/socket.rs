@@ -8,6 +8,7 @@ use axum::body::Body;
 use axum::extract::ws::{Message, WebSocket, WebSocketUpgrade};
 use axum::http::Response;
 use serde_json::json;
+use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
 use sieben_workspace::Refusal;
 use sieben_workspace::past::Viewer;
@@ -21,8 +22,10 @@ use crate::hub::{Hub, PAGES_MAX, Visitor};
 use crate::live::client::{Asked, Client, Live, bye, event};
 use crate::live::message::{At, FRAME_BYTES_MAX};
 use crate::live::shot::Shot;
+use crate::moment::{self, Moment};
 use crate::past;
 use crate::server::Shared;
+use crate::stepping::step;
 
 /// Longest frame that is read at all: one that is too long is still answered with why.
 const READ_BYTES_MAX: usize = 32 * FRAME_BYTES_MAX;
@@ -84,7 +87,7 @@ async fn receive(socket: &mut WebSocket) -> Result<Option<Vec<u8>>, Option<Refus
 async fn serve(socket: &mut WebSocket, shared: &Arc<Shared>, page: u64, role: Role) -> Result<(), Refusal> {
     let hub = &shared.hub;
     let mut client = Client::default();
-    let mut views = Views { at: None, replayer: Arc::default() };
+    let mut views = Views { at: None, moved: false, replayer: Arc::default() };
     let mut past: Option<Arc<Shot>> = None;
     let mut looks = hub.looks();
     looks.mark_unchanged();
@@ -116,7 +119,7 @@ async fn serve(socket: &mut WebSocket, shared: &Arc<Shared>, page: u64, role: Ro
                     let asked = client.hear(&frame, hub.gate.now_us())?;
                     hub.wanted.set(page, Some(client.wanted(&hub.program())));
                     let said = match asked {
-                        Some(asked) => answer(shared, &mut views, &mut client, asked).await,
+                        Some(asked) => answer(shared, &mut views, (&mut client, role), asked).await,
                         None => None,
                     };
                     if let Some(text) = said
@@ -137,7 +140,7 @@ async fn serve(socket: &mut WebSocket, shared: &Arc<Shared>, page: u64, role: Ro
                     let asked = Arc::clone(shared);
                     let text;
                     (run, text) = blocking(move || welcome(&asked, role)).await?;
-                    views = Views { at: None, replayer: Arc::default() };
+                    views = Views { at: None, moved: false, replayer: Arc::default() };
                     past = None;
                     let moved = client.moves(&newest.program, &shared.projects.listed().name);
                     hub.wanted.set(page, Some(client.wanted(&newest.program)));
@@ -146,10 +149,10 @@ async fn serve(socket: &mut WebSocket, shared: &Arc<Shared>, page: u64, role: Ro
                     }
                     continue;
                 }
-                let is_known = client.knows(&views.at);
+                let is_known = client.knows();
                 let (shot, live, refusal) = match (&past, is_known) {
                     // A scan of the past does not change; only how the run goes does.
-                    (Some(past), true) if views.at == Some(past.head.scan) => (Arc::new(past.with_head_of(&newest)), Live::No, None),
+                    (Some(past), true) if views.at.is_some() && !views.moved => (Arc::new(past.with_head_of(&newest)), Live::No, None),
                     _ => shown(shared, &mut views, &client, newest).await,
                 };
                 past = (live == Live::No).then(|| Arc::clone(&shot));
@@ -204,36 +207,45 @@ fn welcome(shared: &Shared, role: Role) -> (u64, String) {
     let project = shared.projects.listed();
     let text = json!({
         "t": "welcome", "v": 1, "cpu": cpu, "project": project.name, "program": program.hash(), "role": role.word(),
-        "oldest": oldest, "newest": scans, "cycle_us": cycle_us, "mnemonics": "en", "examples": project.names(),
+        "oldest": oldest, "newest": scans, "cycle_us": cycle_us, "offers": ["flow", "step"], "examples": project.names(),
+        "mnemonics": if program.mnemonics() == Mnemonics::German { "de" } else { "en" },
     });
     (program.facts.run, text.to_string())
 }
 
 /// What a page sees of the past; it has a CPU of its own for that.
 struct Views {
-    /// The scan that is shown; `None`: the newest.
-    at: Option<u64>,
+    /// What is shown; `None`: the newest scan.
+    at: Option<Moment>,
+    /// It has not been shown yet.
+    moved: bool,
     replayer: Arc<Mutex<Viewer>>,
 }
 
 /// Answers what is no subscription: texts to send, or a scan to show.
-async fn answer(shared: &Arc<Shared>, views: &mut Views, client: &mut Client, asked: Asked) -> Option<String> {
+async fn answer(shared: &Arc<Shared>, views: &mut Views, (client, role): (&mut Client, Role), asked: Asked) -> Option<String> {
     let newest = shared.hub.looks().borrow().as_ref().map_or(0, |shot| shot.head.newest);
-    let (hub, replayer, language) = (Arc::clone(&shared.hub), Arc::clone(&views.replayer), client.language());
+    let (hub, replayer, language) = (Arc::clone(&shared.hub), Arc::clone(&views.replayer), client.speech().language);
     match asked {
-        Asked::At(At::Inside) => {
-            let refusal =
-                Refusal::new(Problem::P7131, "statements are not stepped through in a run; `sieben step` does, and here scans are");
-            Some(event(&refusal))
-        }
         Asked::At(at) => {
-            let from = views.at.unwrap_or(newest);
-            let wanted = match at {
-                At::Live | At::Inside => None,
-                At::Scan(scan) => Some(scan),
-                At::Step(scans) => Some(from.saturating_add_signed(scans)),
+            let end_of = |scan| Moment { scan, statements: None };
+            let moved = match at {
+                At::Live => Ok(None),
+                At::Scan(scan) => Ok(Some(end_of(scan))),
+                At::Step(unit, steps) => {
+                    let wanted = client.wanted(&hub.program());
+                    let (from, may_run) = (views.at, role == Role::Program);
+                    blocking(move || step(&hub, &mut lock(&replayer), (from, newest, may_run), (&wanted, unit, steps)))
+                        .await
+                        .and_then(|to| to)
+                }
             };
-            let before = std::mem::replace(&mut views.at, wanted.filter(|&scan| scan < newest));
+            let to = match moved {
+                Ok(to) => to.filter(|to| to.scan < newest || to.statements.is_some()),
+                Err(refusal) => return Some(event(&refusal)),
+            };
+            let before = std::mem::replace(&mut views.at, to);
+            views.moved = true;
             if before.is_some() || views.at.is_some() {
                 client.forget();
             }
@@ -253,10 +265,11 @@ async fn answer(shared: &Arc<Shared>, views: &mut Views, client: &mut Client, as
 
 /// What a page is shown: the newest look, or the scan of the past that it has chosen.
 async fn shown(shared: &Arc<Shared>, views: &mut Views, client: &Client, newest: Arc<Shot>) -> (Arc<Shot>, Live, Option<Refusal>) {
-    let Some(scan) = views.at else { return (newest, Live::Yes, None) };
+    views.moved = false;
+    let Some(moment) = views.at else { return (newest, Live::Yes, None) };
     let wanted = client.wanted(&newest.program);
     let (hub, replayer) = (Arc::clone(&shared.hub), Arc::clone(&views.replayer));
-    let shot = blocking(move || past::shot(&hub, &mut lock(&replayer), scan, &wanted)).await.and_then(|shot| shot);
+    let shot = blocking(move || moment::shot(&hub, &mut lock(&replayer), moment, &wanted)).await.and_then(|shot| shot);
     match shot {
         Ok(shot) => (Arc::new(shot), Live::No, None),
         Err(refusal) => {

@@ -6,12 +6,12 @@
 use std::collections::{BTreeMap, VecDeque};
 
 use serde_json::{Map, Value as Json, json};
-use sieben_lang::reason::Language;
 use sieben_workspace::Refusal;
 
 use super::content::Content;
 use super::message::{At, History, NAMES_MAX, Said, What, Who, parse, too_much};
-use super::shot::Shot;
+use super::program::Speech;
+use super::shot::{Position, Shot};
 use super::wanted::Wanted;
 
 /// Subscriptions that a page has at most.
@@ -49,7 +49,7 @@ struct Subscription {
 
 /// One page.
 pub struct Client {
-    language: Language,
+    speech: Speech,
     subscriptions: BTreeMap<String, Subscription>,
     /// When its messages of the last second came.
     heard: VecDeque<u64>,
@@ -63,13 +63,13 @@ pub struct Client {
     /// The version of the program that it knows.
     program: Option<u64>,
     /// The scan and time of the last message: another one is news.
-    shown: Option<(u64, u64, &'static str, bool)>,
+    shown: Option<(u64, u64, &'static str, bool, Option<Position>)>,
 }
 
 impl Default for Client {
     fn default() -> Self {
         Self {
-            language: Language::default(),
+            speech: Speech::default(),
             subscriptions: BTreeMap::new(),
             heard: VecDeque::new(),
             open: VecDeque::new(),
@@ -96,7 +96,7 @@ impl Client {
         }
         self.heard.push_back(now_us);
         match parse(frame)? {
-            Said::Hello(language) => self.speak(language),
+            Said::Hello(speech) => self.speak(speech),
             Said::Subscribe(id, what) => self.subscribe(id, what)?,
             Said::Unsubscribe(id) => drop(self.subscriptions.remove(&id)),
             Said::Acknowledge(sequence) => self.open.retain(|&(open, _)| open > sequence),
@@ -108,8 +108,8 @@ impl Client {
         Ok(None)
     }
 
-    fn speak(&mut self, language: Language) {
-        self.language = language;
+    fn speak(&mut self, speech: Speech) {
+        self.speech = speech;
         self.subscriptions.values_mut().for_each(|subscription| subscription.known = None);
     }
 
@@ -125,9 +125,9 @@ impl Client {
         }
     }
 
-    /// The language of its sentences.
-    pub fn language(&self) -> Language {
-        self.language
+    /// How its sentences are written.
+    pub fn speech(&self) -> Speech {
+        self.speech
     }
 
     /// What it wants of a scan.
@@ -136,16 +136,17 @@ impl Client {
         for subscription in self.subscriptions.values() {
             match &subscription.what {
                 What::Rows(rows) => {
-                    if let Some(block) = program.facts.block(&rows.block) {
-                        wanted.blocks.insert(block);
-                        wanted.reasons.extend(rows.reason.map(|number| (block, number)));
+                    if let Some(calls) = program.calls(&rows.block, rows.instance.as_deref()) {
+                        wanted.calls.insert(calls);
+                        wanted.rows.insert(calls);
+                        wanted.reasons.extend(rows.reason.map(|number| (calls, number)));
                     }
                 }
                 What::Tags(names) => wanted.names.extend(names.iter().cloned()),
                 What::Flow(flow) => {
-                    if let Some(block) = program.facts.block(&flow.block) {
-                        wanted.blocks.insert(block);
-                        wanted.flows.extend(flow.networks.iter().map(|&network| (block, flow.view, network)));
+                    if let Some(calls) = program.calls(&flow.block, flow.instance.as_deref()) {
+                        wanted.calls.insert(calls);
+                        wanted.flows.extend(flow.networks.iter().map(|&network| (calls, flow.view, network)));
                     }
                 }
                 What::Common(common) => drop(wanted.common.insert(*common)),
@@ -154,9 +155,9 @@ impl Client {
         wanted
     }
 
-    /// Whether it knows all of its subscriptions at the scan that it looks at; the newest is another one each time.
-    pub fn knows(&self, at: &Option<u64>) -> bool {
-        at.is_some() && self.subscriptions.values().all(|subscription| subscription.known.is_some())
+    /// Whether it knows all of its subscriptions at the scan that it looks at.
+    pub fn knows(&self) -> bool {
+        self.subscriptions.values().all(|subscription| subscription.known.is_some())
     }
 
     /// All that it has subscribed to is sent whole with the next message: it looks at another scan.
@@ -216,7 +217,7 @@ impl Client {
             if !shot.has(&subscription.what) {
                 continue;
             }
-            let now = shot.content(&subscription.what, self.language);
+            let now = shot.content(&subscription.what, self.speech);
             let part = match &subscription.known {
                 Some(known) => now.since(known),
                 None => Some(now.all()),
@@ -227,9 +228,9 @@ impl Client {
             }
         }
         let head = &shot.head;
-        let shown = (head.scan, head.newest, head.mode, head.paused);
+        let shown = (head.scan, head.newest, head.mode, head.paused, shot.position.clone());
         let silent = self.sent_us.is_none_or(|sent| now_us.saturating_sub(sent) >= SIGN_US);
-        if parts.is_empty() && self.shown == Some(shown) && !silent {
+        if parts.is_empty() && self.shown.as_ref() == Some(&shown) && !silent {
             return Ok(None);
         }
         self.shown = Some(shown);
@@ -241,6 +242,9 @@ impl Client {
         });
         if let Some(why) = &head.why {
             message["why"] = json!(why);
+        }
+        if let Some(at) = &shot.position {
+            message["pos"] = json!({ "block": at.block, "index": at.index, "line": at.line, "reason": at.reason.text(self.speech) });
         }
         message["s"] = Json::Object(parts);
         let text = message.to_string();

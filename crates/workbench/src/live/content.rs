@@ -7,7 +7,7 @@ use serde_json::{Map, Value as Json, json};
 /// What a subscription holds at one scan.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Content {
-    /// Rows of a table from a number on: an array at first, then an object by the place in that, from 0.
+    /// Rows of a table from a number on: an array at first, then an object by their numbers.
     Rows(u32, Vec<Json>),
     /// Values by a key.
     Keyed(BTreeMap<String, Json>),
@@ -32,9 +32,9 @@ impl Content {
     pub fn since(&self, before: &Self) -> Option<Json> {
         match (self, before) {
             (Self::Rows(from, rows), Self::Rows(known_from, known)) if from == known_from && rows.len() == known.len() => {
-                let numbered = rows.iter().zip(known).enumerate();
+                let numbered = (u64::from(*from)..).zip(rows.iter().zip(known));
                 let changed: Map<String, Json> =
-                    numbered.filter(|(_, (row, known))| row != known).map(|(place, (row, _))| (place.to_string(), row.clone())).collect();
+                    numbered.filter(|(_, (row, known))| row != known).map(|(number, (row, _))| (number.to_string(), row.clone())).collect();
                 (!changed.is_empty()).then_some(Json::Object(changed))
             }
             (Self::Keyed(values), Self::Keyed(known)) if values.len() == known.len() && values.keys().eq(known.keys()) => {
@@ -72,7 +72,7 @@ mod tests {
         let rows = |values: [i64; 3]| Content::Rows(10, values.map(|value| json!([value])).to_vec());
         for (now, before, wanted) in [
             (rows([1, 2, 3]), rows([1, 2, 3]), None),
-            (rows([1, 5, 3]), rows([1, 2, 3]), Some(json!({ "1": [5] }))),
+            (rows([1, 5, 3]), rows([1, 2, 3]), Some(json!({ "11": [5] }))),
             (Content::Rows(9, vec![json!([1])]), rows([1, 2, 3]), Some(json!([[1]]))),
             (keyed(&[("a", 1), ("b", 2)]), keyed(&[("a", 1), ("b", 2)]), None),
             (keyed(&[("a", 1), ("b", 3)]), keyed(&[("a", 1), ("b", 2)]), Some(json!({ "b": 3 }))),

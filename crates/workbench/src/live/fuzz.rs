@@ -25,6 +25,8 @@ pub fn fuzz(data: &[u8]) {
             head,
             program: Arc::clone(&program),
             sample: None,
+            position: None,
+            pending: Arc::default(),
             reasons: HashMap::new(),
             flows: HashMap::new(),
             tags,

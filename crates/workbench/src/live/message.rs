@@ -2,9 +2,11 @@
 
 use serde_json::{Map, Value as Json};
 use sieben_lang::reason::Language;
+use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
 use sieben_workspace::Refusal;
 
+use super::program::Speech;
 use crate::reference::View;
 
 /// Longest message of a page, in bytes.
@@ -25,8 +27,8 @@ const NAME_BYTES_MAX: usize = 200;
 /// What a page says.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Said {
-    /// Who it is: the languages of its sentences.
-    Hello(Language),
+    /// Who it is: how its sentences are written.
+    Hello(Speech),
     /// It wants to be sent something from now on.
     Subscribe(String, What),
     /// It no longer wants that.
@@ -61,6 +63,8 @@ pub enum What {
 pub struct Rows {
     /// The block as the page calls it.
     pub block: String,
+    /// The instance data block of the calls that are meant; `None`: all calls.
+    pub instance: Option<String>,
     /// The first statement.
     pub from: u32,
     /// The last statement.
@@ -74,6 +78,8 @@ pub struct Rows {
 pub struct Flow {
     /// The block as the page calls it.
     pub block: String,
+    /// The instance data block of the calls that are meant; `None`: all calls.
+    pub instance: Option<String>,
     /// As what they are drawn.
     pub view: View,
     /// The networks, from 1.
@@ -119,10 +125,24 @@ pub enum At {
     Live,
     /// This one.
     Scan(u64),
-    /// So many scans on, or back.
-    Step(i64),
-    /// Statements or networks on, or back: the server cannot do that yet.
-    Inside,
+    /// So much on, or back.
+    Step(Unit, i64),
+}
+
+/// What a page steps by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unit {
+    /// One statement.
+    Statement,
+    /// All statements of a network.
+    Network,
+    /// A scan.
+    Scan,
+}
+
+impl Unit {
+    /// All of them with their words.
+    pub const ALL: [(&'static str, Self); 3] = [("statement", Self::Statement), ("network", Self::Network), ("scan", Self::Scan)];
 }
 
 /// A question for values of the past.
@@ -149,6 +169,15 @@ pub struct Who {
     pub name: String,
     /// Up to this scan.
     pub scan: u64,
+}
+
+/// `en` and `de`, the mnemonics of people who speak that.
+pub(crate) fn mnemonics(word: &str) -> Option<Mnemonics> {
+    match word {
+        "en" => Some(Mnemonics::English),
+        "de" => Some(Mnemonics::German),
+        _ => None,
+    }
 }
 
 fn not_understood(message: impl Into<String>) -> Refusal {
@@ -181,7 +210,10 @@ impl<'m> Fields<'m> {
     fn said(&self) -> Result<Said, Refusal> {
         match self.text("t").unwrap_or_default() {
             "hello" => match self.number("v") {
-                Some(1) => Ok(Said::Hello(self.text("lang").and_then(Language::from_code).unwrap_or_default())),
+                Some(1) => Ok(Said::Hello(Speech {
+                    language: self.text("lang").and_then(Language::from_code).unwrap_or_default(),
+                    mnemonics: self.text("mnemonics").and_then(mnemonics),
+                })),
                 _ => Err(not_understood("`hello` has `\"v\": 1`, the version of the protocol; reload the page if it is older")),
             },
             "sub" => Ok(Said::Subscribe(self.id()?, self.what()?)),
@@ -247,7 +279,7 @@ impl<'m> Fields<'m> {
                     return Err(too_much(format!("`rows` has at most {ROWS_MAX} statements")));
                 }
                 let reason = self.number("reason").and_then(|reason| u32::try_from(reason).ok());
-                Ok(What::Rows(Rows { block: self.name("block")?, from, to, reason }))
+                Ok(What::Rows(Rows { block: self.name("block")?, instance: self.instance()?, from, to, reason }))
             }
             "tags" => self.names("names", NAMES_MAX).map(What::Tags),
             "flow" => self.flow().map(What::Flow),
@@ -270,20 +302,26 @@ impl<'m> Fields<'m> {
             return Err(too_much(format!("`flow` has at most {NETWORKS_MAX} networks")));
         }
         let networks = numbers.iter().filter_map(|number| u32::try_from(number.as_u64()?).ok()).collect();
-        Ok(Flow { block: self.name("block")?, view, networks })
+        Ok(Flow { block: self.name("block")?, instance: self.instance()?, view, networks })
+    }
+
+    fn instance(&self) -> Result<Option<String>, Refusal> {
+        if self.0.contains_key("instance") { self.name("instance").map(Some) } else { Ok(None) }
     }
 
     fn at(&self) -> Result<At, Refusal> {
         match (self.0.get("scan"), self.text("step")) {
             (Some(Json::String(word)), _) if word == "live" => Ok(At::Live),
             (Some(Json::Number(scan)), _) if scan.is_u64() => Ok(At::Scan(scan.as_u64().unwrap_or_default())),
-            (None, Some("scan")) => match self.0.get("n").and_then(Json::as_i64) {
-                Some(scans) => Ok(At::Step(scans)),
-                None => Err(not_understood("`n` is a whole number")),
-            },
-            _ => {
-                Err(not_understood("`at` has a scan, `\"scan\": 421` or `\"scan\": \"live\"`, or a step, `\"step\": \"scan\", \"n\": -1`"))
+            (None, Some(word)) => {
+                let unit = Unit::ALL.iter().find(|(known, _)| *known == word).map(|&(_, unit)| unit);
+                let unit = unit.ok_or_else(|| not_understood("`step` is `statement`, `network` or `scan`"))?;
+                let count = self.0.get("n").and_then(Json::as_i64).ok_or_else(|| not_understood("`n` is a whole number"))?;
+                Ok(At::Step(unit, count))
             }
+            _ => Err(not_understood(
+                "`at` has a scan, `\"scan\": 421` or `\"scan\": \"live\"`, or a step, `\"step\": \"statement\", \"n\": -1`; scans count from 0",
+            )),
         }
     }
 }
@@ -298,9 +336,16 @@ mod tests {
 
     #[test]
     fn every_message_is_read() {
-        let rows = Rows { block: "OB1".to_owned(), from: 0, to: 29, reason: Some(3) };
+        let rows = Rows { block: "OB1".to_owned(), instance: None, from: 0, to: 29, reason: Some(3) };
+        let german = Speech { language: Language::German, mnemonics: Some(Mnemonics::English) };
+        let instance = Rows { instance: Some("DB 7".to_owned()), reason: None, ..rows.clone() };
         for (text, wanted) in [
-            (r#"{"t":"hello","v":1,"lang":"de","mnemonics":"en"}"#, Said::Hello(Language::German)),
+            (r#"{"t":"hello","v":1,"lang":"de","mnemonics":"en"}"#, Said::Hello(german)),
+            (r#"{"t":"hello","v":1}"#, Said::Hello(Speech::default())),
+            (
+                r#"{"t":"sub","id":"a","what":"rows","block":"OB1","instance":"DB 7","from":0,"to":29}"#,
+                Said::Subscribe("a".into(), What::Rows(instance)),
+            ),
             (
                 r#"{"t":"sub","id":"a","what":"rows","block":"OB1","from":0,"to":29,"reason":3}"#,
                 Said::Subscribe("a".into(), What::Rows(rows)),
@@ -308,13 +353,18 @@ mod tests {
             (r#"{"t":"sub","id":"b","what":"tags","names":["MW 10"]}"#, Said::Subscribe("b".into(), What::Tags(vec!["MW 10".into()]))),
             (
                 r#"{"t":"sub","id":"f","what":"flow","block":"FB20","view":"lad","networks":[1,2]}"#,
-                Said::Subscribe("f".into(), What::Flow(Flow { block: "FB20".into(), view: View::Lad, networks: vec![1, 2] })),
+                Said::Subscribe(
+                    "f".into(),
+                    What::Flow(Flow { block: "FB20".into(), instance: None, view: View::Lad, networks: vec![1, 2] }),
+                ),
             ),
             (r#"{"t":"sub","id":"c","what":"leds"}"#, Said::Subscribe("c".into(), What::Common(Common::Leds))),
             (r#"{"t":"unsub","id":"c"}"#, Said::Unsubscribe("c".into())),
             (r#"{"t":"at","scan":421}"#, Said::At(At::Scan(421))),
             (r#"{"t":"at","scan":"live"}"#, Said::At(At::Live)),
-            (r#"{"t":"at","step":"scan","n":-2}"#, Said::At(At::Step(-2))),
+            (r#"{"t":"at","step":"scan","n":-2}"#, Said::At(At::Step(Unit::Scan, -2))),
+            (r#"{"t":"at","step":"statement","n":1}"#, Said::At(At::Step(Unit::Statement, 1))),
+            (r#"{"t":"at","step":"network","n":-1}"#, Said::At(At::Step(Unit::Network, -1))),
             (
                 r#"{"t":"history","id":"h","from":1,"to":9,"channels":["Q 0.0"],"points":500}"#,
                 Said::History(History { id: "h".into(), from: 1, to: 9, channels: vec!["Q 0.0".into()], points: 500 }),
@@ -348,6 +398,14 @@ mod tests {
             (r#"{"t":"sub","id":"x","what":"rows","block":"OB1","from":0,"to":400}"#, "P7130: `rows` has at most 400"),
             (r#"{"t":"sub","id":"x","what":"rows","block":"OB1","from":-1,"to":4}"#, "P7131: `from` is a whole number"),
             (r#"{"t":"at","scan":-1}"#, "P7131: `at` has a scan"),
+            (r#"{"t":"at","scan":null}"#, "P7131: `at` has a scan"),
+            (r#"{"t":"at","scan":1.5}"#, "P7131: `at` has a scan"),
+            (r#"{"t":"at","step":"block","n":1}"#, "P7131: `step` is `statement`"),
+            (r#"{"t":"at","step":"scan","n":0.5}"#, "P7131: `n` is a whole number"),
+            (r#"{"t":"history","id":"h","from":-5,"to":9,"channels":[]}"#, "P7131: `from` is a whole number from 0"),
+            (r#"{"t":"history","id":"h","from":1,"to":null,"channels":[]}"#, "P7131: `to` is a whole number from 0"),
+            (r#"{"t":"history","id":"h","from":1,"to":NaN,"channels":[]}"#, "P7131: the message is no JSON"),
+            (r#"{"t":"sub","id":"x","what":"rows","block":"OB1","instance":5,"from":0,"to":4}"#, "P7131: `instance` is text"),
             (r#"{"t":"ack"}"#, "P7131: `seq` is a whole number"),
             (&many, "P7130: 2001 names are too many"),
             (&deep, "P7131: the message is no JSON: recursion limit"),

@@ -4,8 +4,46 @@ use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use sieben_engine::FaultPlace;
-use sieben_model::block::BlockId;
+use sieben_lang::reason::Language;
+use sieben_model::block::{BlockId, BlockKind};
+use sieben_model::mnemonics::Mnemonics;
+use sieben_model::source::FileId;
 use sieben_workspace::control::Facts;
+use sieben_workspace::status::Calls;
+
+/// How sentences for a page are written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Speech {
+    /// Their language.
+    pub language: Language,
+    /// The mnemonics of the addresses in them; `None`: those of the source.
+    pub mnemonics: Option<Mnemonics>,
+}
+
+impl Speech {
+    /// All ways to write a sentence.
+    pub fn all() -> impl Iterator<Item = Self> {
+        let mnemonics = [None, Some(Mnemonics::English), Some(Mnemonics::German)];
+        mnemonics.into_iter().flat_map(|mnemonics| Language::ALL.map(|language| Self { language, mnemonics }))
+    }
+}
+
+/// Why a statement did what it did, in all ways to write it.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Said(Vec<String>);
+
+impl Said {
+    /// Says something in all ways.
+    pub fn new(say: impl FnMut(Speech) -> String) -> Self {
+        Self(Speech::all().map(say).collect())
+    }
+
+    /// What is said in one of them.
+    pub fn text(&self, speech: Speech) -> &str {
+        let at = Speech::all().position(|one| one == speech);
+        at.and_then(|at| self.0.get(at)).map_or("", String::as_str)
+    }
+}
 
 /// A program with what was looked up in it.
 pub struct Known {
@@ -13,13 +51,41 @@ pub struct Known {
     pub version: u64,
     /// What is known of it.
     pub facts: Arc<Facts>,
+    /// One mnemonic language for all files, in the order of [`Mnemonics`].
+    spelled: [BTreeMap<FileId, Mnemonics>; 2],
     lines: Mutex<BTreeMap<BlockId, Arc<[u32]>>>,
 }
 
 impl Known {
     /// The program with this version.
     pub fn new(version: u64, facts: Arc<Facts>) -> Self {
-        Self { version, facts, lines: Mutex::default() }
+        let spelled = [Mnemonics::English, Mnemonics::German].map(|one| facts.sources.iter().map(|(file, _)| (file, one)).collect());
+        Self { version, facts, spelled, lines: Mutex::default() }
+    }
+
+    /// The mnemonics of each file, where addresses are spelled in these.
+    pub fn spelled(&self, mnemonics: Mnemonics) -> &BTreeMap<FileId, Mnemonics> {
+        let [english, german] = &self.spelled;
+        if mnemonics == Mnemonics::German { german } else { english }
+    }
+
+    /// The mnemonics of most sources.
+    pub fn mnemonics(&self) -> Mnemonics {
+        let german = self.facts.mnemonics.values().filter(|&&one| one == Mnemonics::German).count();
+        if german * 2 > self.facts.mnemonics.len() { Mnemonics::German } else { Mnemonics::English }
+    }
+
+    /// What a page means: a block, or its calls with an instance data block; `None` if there is no such block.
+    pub fn calls(&self, block: &str, instance: Option<&str>) -> Option<Calls> {
+        let block = self.facts.block(block)?;
+        let Some(name) = instance.filter(|name| !name.is_empty()) else { return Some(block.into()) };
+        let instance = self.facts.block(name).filter(|found| found.kind == BlockKind::DataBlock)?;
+        Some(Calls { block, instance: Some(instance.number) })
+    }
+
+    /// The network of a statement, from 1.
+    pub fn network(&self, place: FaultPlace) -> Option<u32> {
+        self.facts.build.as_ref()?.compiled.bodies.get(&place.block)?.network(place.statement)
     }
 
     /// A word for this program, another one for each that takes over.

@@ -4,13 +4,11 @@ use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
 use serde_json::{Value as Json, json};
-use sieben_lang::reason::Language;
-use sieben_model::block::BlockId;
-use sieben_workspace::status::Sample;
+use sieben_workspace::status::{Calls, Sample, Statements};
 
 use super::content::Content;
 use super::message::{Common, Rows, What};
-use super::program::Known;
+use super::program::{Known, Said, Speech};
 use crate::reference::View;
 
 /// How the run goes at the moment when a scan is shown.
@@ -38,6 +36,19 @@ pub struct Head {
     pub why: Option<String>,
 }
 
+/// The statement that has just run, where a scan is shown up to there.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Position {
+    /// Its block, as pages call it.
+    pub block: String,
+    /// Its number in the block, from 0.
+    pub index: u32,
+    /// Its line; 0 for one that the compiler made.
+    pub line: u32,
+    /// Why it did what it did.
+    pub reason: Arc<Said>,
+}
+
 /// One scan.
 #[derive(Clone)]
 pub struct Shot {
@@ -47,31 +58,37 @@ pub struct Shot {
     pub program: Arc<Known>,
     /// What its statements did; none if no block was looked at.
     pub sample: Option<Arc<Sample>>,
-    /// Reasons of statements, in the order of [`Language::ALL`].
-    pub reasons: HashMap<(BlockId, u32), [String; 2]>,
+    /// Where in the scan; `None` at its end.
+    pub position: Option<Position>,
+    /// Statements that are still to come, with what they did in the scan before.
+    pub pending: Arc<Statements>,
+    /// Reasons of statements.
+    pub reasons: HashMap<(Calls, u32), Arc<Said>>,
     /// Values by name.
     pub tags: HashMap<String, Json>,
     /// What the lines of networks carry.
-    pub flows: HashMap<(BlockId, View, u32), Json>,
+    pub flows: HashMap<(Calls, View, u32), Json>,
     /// What is the same for all pages.
     pub common: BTreeMap<Common, Content>,
 }
 
 /// The statement was executed in this scan.
 const EXECUTED: u8 = 1;
+/// It is still to come: its values are those of the scan before.
+const PENDING: u8 = 2;
 
 impl Shot {
     /// What a subscription holds at this scan.
-    pub fn content(&self, what: &What, language: Language) -> Content {
+    pub fn content(&self, what: &What, speech: Speech) -> Content {
         match what {
-            What::Rows(rows) => self.rows(rows, language),
+            What::Rows(rows) => self.rows(rows, speech),
             What::Tags(names) => {
                 Content::Keyed(names.iter().map(|name| (name.clone(), self.tags.get(name).cloned().unwrap_or(Json::Null))).collect())
             }
             What::Flow(flow) => {
-                let block = self.program.facts.block(&flow.block);
+                let calls = self.program.calls(&flow.block, flow.instance.as_deref());
                 let of = |&network: &u32| {
-                    let marks = block.and_then(|block| self.flows.get(&(block, flow.view, network)).cloned());
+                    let marks = calls.and_then(|calls| self.flows.get(&(calls, flow.view, network)).cloned());
                     (network.to_string(), marks.unwrap_or(Json::Null))
                 };
                 Content::Keyed(flow.networks.iter().map(of).collect())
@@ -98,14 +115,14 @@ impl Shot {
     /// Whether there is anything of it in this scan: what was asked for after the scan comes with the next one.
     pub fn has(&self, what: &What) -> bool {
         match what {
-            What::Rows(rows) => match (self.program.facts.block(&rows.block), &self.sample) {
-                (Some(block), Some(sample)) => sample.blocks.contains(&block),
+            What::Rows(rows) => match (self.program.calls(&rows.block, rows.instance.as_deref()), &self.sample) {
+                (Some(calls), Some(sample)) => sample.calls.contains(&calls),
                 (Some(_), None) => false,
                 (None, _) => true,
             },
             What::Tags(names) => names.iter().all(|name| self.tags.contains_key(name)),
-            What::Flow(flow) => match self.program.facts.block(&flow.block) {
-                Some(block) => flow.networks.iter().all(|&network| self.flows.contains_key(&(block, flow.view, network))),
+            What::Flow(flow) => match self.program.calls(&flow.block, flow.instance.as_deref()) {
+                Some(calls) => flow.networks.iter().all(|&network| self.flows.contains_key(&(calls, flow.view, network))),
                 None => true,
             },
             What::Common(common) => self.common.contains_key(common),
@@ -113,26 +130,27 @@ impl Shot {
     }
 
     /// `[line, executed, stw, accu1, accu2, reason?]` of each statement.
-    fn rows(&self, rows: &Rows, language: Language) -> Content {
-        let Some(block) = self.program.facts.block(&rows.block) else { return Content::Rows(rows.from, Vec::new()) };
-        let lines = self.program.lines(block);
+    fn rows(&self, rows: &Rows, speech: Speech) -> Content {
+        let calls = self.program.calls(&rows.block, rows.instance.as_deref());
+        let Some(calls) = calls else { return Content::Rows(rows.from, Vec::new()) };
+        let lines = self.program.lines(calls.block);
         let count = u32::try_from(lines.len()).unwrap_or(u32::MAX);
         let shown = (rows.from..=rows.to).take_while(|&number| number < count);
         let row = |number: u32| {
             let line = lines.get(number as usize).copied().unwrap_or_default();
-            let status = self.sample.as_ref().and_then(|sample| sample.statements.get(&(block, number)));
-            let mut row = match status {
-                Some(status) => {
+            let place = (calls, number);
+            let done = self.sample.as_ref().and_then(|sample| sample.statements.get(&place)).map(|status| (EXECUTED, status));
+            let mut row = match done.or_else(|| self.pending.get(&place).map(|status| (PENDING, status))) {
+                Some((executed, status)) => {
                     let after = &status.after;
-                    vec![json!(line), json!(EXECUTED), json!(after.status().0), json!(after.accu1 as u32), json!(after.accu2 as u32)]
+                    vec![json!(line), json!(executed), json!(after.status().0), json!(after.accu1 as u32), json!(after.accu2 as u32)]
                 }
                 None => vec![json!(line), json!(0), json!(0), json!(0), json!(0)],
             };
             if rows.reason == Some(number)
-                && let Some(reasons) = self.reasons.get(&(block, number))
+                && let Some(said) = self.reasons.get(&place)
             {
-                let at = Language::ALL.iter().position(|&one| one == language).unwrap_or(0);
-                row.push(json!(reasons.get(at)));
+                row.push(json!(said.text(speech)));
             }
             Json::Array(row)
         };

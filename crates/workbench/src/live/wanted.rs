@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use sieben_model::block::BlockId;
+use sieben_workspace::status::Calls;
 
 use super::message::Common;
 use crate::reference::View;
@@ -11,12 +11,14 @@ use crate::reference::View;
 /// What is wanted of a scan.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Wanted {
-    /// Blocks whose statements are shown.
-    pub blocks: BTreeSet<BlockId>,
+    /// Calls whose statements are looked at.
+    pub calls: BTreeSet<Calls>,
+    /// Those of them whose statements are shown as rows: they are stepped through.
+    pub rows: BTreeSet<Calls>,
     /// Statements whose reasons are shown.
-    pub reasons: BTreeSet<(BlockId, u32)>,
+    pub reasons: BTreeSet<(Calls, u32)>,
     /// Networks whose power flow is shown.
-    pub flows: BTreeSet<(BlockId, View, u32)>,
+    pub flows: BTreeSet<(Calls, View, u32)>,
     /// Names of values.
     pub names: BTreeSet<String>,
     /// What is the same for all pages.
@@ -25,7 +27,8 @@ pub struct Wanted {
 
 impl Wanted {
     fn add(&mut self, other: &Self) {
-        self.blocks.extend(&other.blocks);
+        self.calls.extend(&other.calls);
+        self.rows.extend(&other.rows);
         self.reasons.extend(&other.reasons);
         self.names.extend(other.names.iter().cloned());
         self.flows.extend(&other.flows);
@@ -34,7 +37,7 @@ impl Wanted {
 
     /// Whether a scan has to be replayed for it.
     pub fn needs_replay(&self) -> bool {
-        !self.blocks.is_empty() || !self.names.is_empty() || self.common.contains(&Common::Plant)
+        !self.calls.is_empty() || !self.names.is_empty() || self.common.contains(&Common::Plant)
     }
 }
 

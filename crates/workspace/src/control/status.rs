@@ -49,7 +49,7 @@ pub(super) fn status(
             seen = number;
             let sample = looked.map_err(|error| not_shown(error.to_string()))?;
             // One that was replayed before the look began has nothing of the block.
-            if sample.blocks.contains(&block) {
+            if sample.calls.contains(&block.into()) {
                 return Ok(shown(facts, block, (number, &sample), from));
             }
         }
@@ -67,7 +67,7 @@ fn newest(gate: &Gate, desk: &Desk, facts: &Facts, (block, after, from): (BlockI
     }
     let Some((number, looked)) = desk.newest() else { return Ok(nothing(block, 0)) };
     let sample = looked.map_err(|error| not_shown(error.to_string()))?;
-    match number > after && sample.blocks.contains(&block) {
+    match number > after && sample.calls.contains(&block.into()) {
         true => Ok(shown(facts, block, (number, &sample), from)),
         false => Ok(nothing(block, number.min(after))),
     }
@@ -79,11 +79,10 @@ fn nothing(block: BlockId, sample: u64) -> Status {
 }
 
 fn shown(facts: &Facts, block: BlockId, (number, sample): (u64, &Sample), from: u32) -> Status {
-    let first = (block, from.saturating_sub(1));
-    let mut wanted = sample.statements.range(first..=(block, u32::MAX));
+    let mut wanted = sample.of(block.into()).skip_while(|&(number, _)| number < from.saturating_sub(1));
     let mut places = facts.places();
     let mut statements = Vec::new();
-    for (&(block, statement), status) in wanted.by_ref().take(STATEMENTS_MAX) {
+    for (statement, status) in wanted.by_ref().take(STATEMENTS_MAX) {
         statements.push(Statement {
             place: places.of(FaultPlace { block, statement }),
             times: status.times,
@@ -92,7 +91,7 @@ fn shown(facts: &Facts, block: BlockId, (number, sample): (u64, &Sample), from: 
             value: status.value.clone(),
         });
     }
-    let next = wanted.next().map(|(&(_, statement), _)| u64::from(statement) + 1);
+    let next = wanted.next().map(|(statement, _)| u64::from(statement) + 1);
     Status { block, sample: number, scan: sample.scan, time_us: sample.time_us, same: sample.same, next, statements }
 }
 
@@ -101,15 +100,16 @@ mod tests {
     use sieben_engine::machine::Registers;
 
     use super::*;
-    use crate::status::StatementStatus;
+    use crate::status::{Calls, StatementStatus};
 
     #[test]
     fn a_long_block_comes_in_parts_and_no_statement_twice() {
         let status = StatementStatus { before: Registers::fresh(), after: Registers::fresh(), times: 1, value: None };
         let numbers = || (0..5_000_u32).filter(|number| number % 2 == 0);
         let (block, other) = (BlockId::fc(1), BlockId::fc(2));
-        let statements = numbers().flat_map(|number| [((block, number), status.clone()), ((other, number), status.clone())]).collect();
-        let sample = Sample { scan: 3, time_us: 0, same: true, blocks: vec![block, other], statements };
+        let both = [block, other].map(Calls::from);
+        let statements = numbers().flat_map(|number| both.map(|calls| ((calls, number), status.clone()))).collect();
+        let sample = Sample { scan: 3, time_us: 0, same: true, calls: both.to_vec(), statements };
         let (mut seen, mut from) = (Vec::new(), Some(1));
         while let Some(number) = from {
             let part = shown(&Facts::default(), block, (1, &sample), u32::try_from(number).expect("a statement"));

@@ -12,6 +12,8 @@ fn shot(scan: u64) -> Shot {
         head: Head { scan, newest: scan, mode: "run", same: true, ..Head::default() },
         program: Arc::new(Known::new(0, Arc::default())),
         sample: None,
+        position: None,
+        pending: Arc::default(),
         reasons: HashMap::new(),
         flows: HashMap::new(),
         tags: HashMap::from([("a".to_owned(), json!(scan)), ("b".to_owned(), json!(scan / 100))]),
