@@ -263,6 +263,10 @@ impl Hub {
         let replayed = taken.filter(|_| is_replayed);
         let mut reasons = lock(&self.reasons).clone();
         let seen = match replayed {
+            // A CPU in STOP shows its last scan: what is replayed then has no statements.
+            Some(seen) if seen.mode == OperatingMode::Stop => {
+                Seen { sample: self.last_sample(head.newest, (wanted, &program), &mut reasons), ..seen }
+            }
             Some(seen) => seen,
             None => {
                 let (tags, plant) = standing.unwrap_or_default();
@@ -330,7 +334,10 @@ impl Hub {
         }
         let has_all = |sample: &Sample, reasons: &Reasons| {
             let said = |place: &(Calls, u32)| reasons.contains_key(place) || !sample.statements.contains_key(place);
-            sample.scan == newest && wanted.calls.iter().all(|calls| sample.calls.contains(calls)) && wanted.reasons.iter().all(said)
+            sample.scan == newest
+                && !sample.statements.is_empty()
+                && wanted.calls.iter().all(|calls| sample.calls.contains(calls))
+                && wanted.reasons.iter().all(said)
         };
         let seen = self.before(program).and_then(|shot| shot.sample.clone());
         if let Some(sample) = seen.filter(|sample| has_all(sample, reasons)) {

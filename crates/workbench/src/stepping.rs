@@ -54,7 +54,7 @@ impl Tracer for Search<'_> {
 
     fn statement(&mut self, _: &Machine, event: &StatementEvent) {
         self.count += 1;
-        if !is_counted(self.wanted, self.instances.calls(event.place.block)) {
+        if !self.program.is_written(event.place) || !is_counted(self.wanted, self.instances.calls(event.place.block)) {
             return;
         }
         let network = if self.unit == Unit::Network { self.program.network(event.place) } else { None };

@@ -83,6 +83,12 @@ impl Known {
         Some(Calls { block, instance: Some(instance.number) })
     }
 
+    /// Whether the source has this statement: the end of a block need not be written.
+    pub fn is_written(&self, place: FaultPlace) -> bool {
+        let body = self.facts.build.as_ref().and_then(|build| build.compiled.bodies.get(&place.block));
+        body.is_none_or(|body| body.is_written(place.statement))
+    }
+
     /// The network of a statement, from 1.
     pub fn network(&self, place: FaultPlace) -> Option<u32> {
         self.facts.build.as_ref()?.compiled.bodies.get(&place.block)?.network(place.statement)
