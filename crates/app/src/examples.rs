@@ -1,5 +1,9 @@
 //! The examples, as they come with the binary.
 
+use std::path::Path;
+
+use sieben_workspace::project::Project;
+
 /// An example: its name, what it is, and its files.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Example {
@@ -9,6 +13,24 @@ pub(crate) struct Example {
     pub(crate) about: &'static str,
     /// Paths inside the project and contents.
     pub(crate) files: &'static [(&'static str, &'static str)],
+}
+
+/// What a file of an example is to its program.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Settings,
+    Symbols,
+    Source,
+    Other,
+}
+
+fn kind(path: &str) -> Kind {
+    match Path::new(path).extension().and_then(|ending| ending.to_str()) {
+        Some("toml") => Kind::Settings,
+        Some("csv") => Kind::Symbols,
+        Some("awl" | "scl" | "st") if !path.contains(".test.") => Kind::Source,
+        _ => Kind::Other,
+    }
 }
 
 macro_rules! examples {
@@ -23,6 +45,7 @@ macro_rules! examples {
                 ("README.md", include_str!(concat!("../../../examples/", $name, "/README.md"))),
                 ($source, include_str!(concat!("../../../examples/", $name, "/", $source))),
                 $(($beside, include_str!(concat!("../../../examples/", $name, "/", $beside))),)?
+                (concat!($name, ".watch"), include_str!(concat!("../../../examples/", $name, "/", $name, ".watch"))),
                 (concat!($name, ".scenario"), include_str!(concat!("../../../examples/", $name, "/", $name, ".scenario"))),
                 (concat!($name, ".test.st"), include_str!(concat!("../../../examples/", $name, "/", $name, ".test.st"))),
             ],
@@ -44,6 +67,26 @@ examples! {
 }
 
 impl Example {
+    /// The files that its program is made of.
+    pub(crate) fn compiled(&self) -> impl Iterator<Item = &'static (&'static str, &'static str)> {
+        self.files.iter().filter(|(path, _)| kind(path) != Kind::Other)
+    }
+
+    /// The same as a project.
+    pub(crate) fn project(&self) -> Project {
+        let mut project = Project::new(None);
+        for (path, content) in self.compiled() {
+            let (file, bytes) = (Path::new(path), content.as_bytes());
+            match kind(path) {
+                Kind::Settings => project.add_settings(file, bytes),
+                Kind::Symbols => project.add_symbols(file, bytes).expect("an example has a small table"),
+                Kind::Source => project.add_source(file, bytes),
+                Kind::Other => {}
+            }
+        }
+        project
+    }
+
     /// The example of this name.
     pub(crate) fn by_name(name: &str) -> Option<&'static Self> {
         ALL.iter().find(|example| example.name == name)

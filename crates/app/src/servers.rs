@@ -20,12 +20,12 @@ use sieben_comm::s7comm::answer::Linker;
 use sieben_comm::s7comm::guard::Function;
 use sieben_comm::s7comm::session::Shared;
 use sieben_comm::s7comm::wire::cotp::Partner;
-use sieben_comm::server::{self, ConnectionView, Server, Setup, View};
+use sieben_comm::server::{self, ConnectionView, Server, Setup, View, Written};
 use sieben_cpu::{Communication, ProtectionLevel};
 use sieben_model::cpu_type::CpuType;
 use sieben_model::problems::Problem;
 use sieben_workspace::Gate;
-use sieben_workspace::control::{Client, Clients, CurrentFacts};
+use sieben_workspace::control::{Client, Clients, CurrentFacts, LastWrite};
 use sieben_workspace::metrics::{self, Served};
 use sieben_workspace::project::Project;
 use sieben_workspace::settings::servers::address;
@@ -362,6 +362,9 @@ impl Servers {
                 for_us: now_us.saturating_sub(one.since_us),
                 last: one.last.map(Function::name),
                 pdu_bytes: one.pdu_bytes,
+                reads: one.reads,
+                writes: one.writes,
+                written: one.written.map(last_write),
             };
             viewer.view().connections.into_iter().map(client).collect()
         })
@@ -374,6 +377,12 @@ impl Servers {
         let lost: Vec<String> = lost.iter().filter(|(count, _)| *count > 0).map(|(count, what)| format!("{count} {what}")).collect();
         (!lost.is_empty()).then(|| format!("Lost, because the disk was full or too slow: {}.\n", lost.join(", ")))
     }
+}
+
+/// What a client wrote last, for people.
+fn last_write(Written { address, bytes, scan, time_us }: Written) -> LastWrite {
+    let digits: String = bytes.iter().map(|byte| format!("{byte:02X}")).collect();
+    LastWrite { name: address, value: format!("16#{digits}"), scan, time_us }
 }
 
 /// A socket that was made for this process, as systemd does; its address was chosen there, and so was who reaches it.

@@ -2,14 +2,14 @@
 #![cfg(unix)]
 
 mod command;
+mod pages;
 
 use std::fs;
-use std::io::{BufRead, BufReader, Read, Write};
-use std::net::{SocketAddr, TcpStream};
 use std::os::unix::fs::PermissionsExt;
-use std::process::{Child, Command, Stdio};
+use std::process::Command;
 
-use command::{DEADLINE, Folder, sieben, until};
+use command::{Folder, until};
+use pages::{Page, Serving};
 use serde_json::{Value, json};
 
 const PROJECT: &str = "[project]\nname = \"pump\"\n\n[[module]]\nkind = \"tank\"\ninput = 256\noutput = 256\n";
@@ -20,150 +20,10 @@ fn project() -> Folder {
     Folder::with(&[("sieben.toml", PROJECT), ("main.awl", PROGRAM)])
 }
 
-/// A run with a page. It is killed when this goes.
-struct Serving {
-    child: Child,
-    page: SocketAddr,
-}
-
-impl Serving {
-    fn new(folder: &Folder, more: &[&str]) -> Self {
-        let arguments: Vec<&str> = ["serve", ".", "--json", "--s7", "127.0.0.1:0"].iter().chain(more).copied().collect();
-        let mut command = sieben(folder.path(), &arguments);
-        let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the binary starts");
-        let mut line = String::new();
-        BufReader::new(child.stdout.as_mut().expect("a pipe")).read_line(&mut line).expect("UTF-8");
-        let listening: Value = serde_json::from_str(&line).unwrap_or_else(|error| panic!("{line}: {error}"));
-        let page: SocketAddr = listening["listening"]["page"].as_str().expect("a page").parse().expect("an address");
-        Self { child, page: SocketAddr::from(([127, 0, 0, 1], page.port())) }
-    }
-
-    fn usual(folder: &Folder) -> Self {
-        Self::new(folder, &["--page", "127.0.0.1:0"])
-    }
-
-    fn connect(&self) -> TcpStream {
-        let stream = TcpStream::connect(self.page).expect("it listens");
-        stream.set_read_timeout(Some(DEADLINE)).expect("a timeout");
-        stream
-    }
-
-    /// Status, head and body of an answer.
-    fn ask(&self, method: &str, path: &str, more: &str, body: &str) -> (u16, String, String) {
-        let mut stream = self.connect();
-        let host = if more.contains("Host:") { String::new() } else { format!("Host: {}\r\n", self.page) };
-        let request = format!("{method} {path} HTTP/1.1\r\n{host}{more}Connection: close\r\nContent-Length: {}\r\n\r\n{body}", body.len());
-        stream.write_all(request.as_bytes()).expect("it reads");
-        let mut answer = String::new();
-        stream.read_to_string(&mut answer).expect("an answer");
-        let (head, body) = answer.split_once("\r\n\r\n").expect("a head");
-        let status = head.split(' ').nth(1).and_then(|status| status.parse().ok()).expect("a status");
-        (status, head.to_owned(), body.to_owned())
-    }
-
-    fn json(&self, method: &str, path: &str, body: &str) -> Value {
-        let (status, _, text) = self.ask(method, path, "", body);
-        assert!(status < 300, "{method} {path}: {status} {text}");
-        serde_json::from_str(&text).unwrap_or_else(|error| panic!("{path}: {error}: {text}"))
-    }
-
-    fn page(&self, query: &str) -> Page {
-        let mut page = Page::new(self.connect(), &format!("/ws{query}"), &self.page.to_string());
-        page.say(&json!({ "t": "hello", "v": 1, "lang": "en", "mnemonics": "en" }));
-        page
-    }
-}
-
-impl Drop for Serving {
-    fn drop(&mut self) {
-        let _ = self.child.kill();
-        let _ = self.child.wait();
-    }
-}
-
-/// A page without a browser.
-struct Page(BufReader<TcpStream>);
-
-impl Page {
-    fn new(mut stream: TcpStream, path: &str, host: &str) -> Self {
-        let head = format!(
-            "GET {path} HTTP/1.1\r\nHost: {host}\r\nUpgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\n\
-             Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n"
-        );
-        stream.write_all(head.as_bytes()).expect("it reads");
-        let mut page = Self(BufReader::new(stream));
-        let mut line = String::new();
-        while line != "\r\n" {
-            line.clear();
-            assert!(page.0.read_line(&mut line).expect("a head") > 0, "the connection ends");
-        }
-        page
-    }
-
-    /// A frame with a mask of zeros.
-    fn frame(&mut self, kind: u8, bytes: &[u8]) {
-        let mut frame = vec![0x80 | kind];
-        match bytes.len() {
-            short @ 0..126 => frame.push(0x80 | short as u8),
-            middle @ 126..=0xFFFF => {
-                frame.push(0x80 | 126);
-                frame.extend((middle as u16).to_be_bytes());
-            }
-            long => {
-                frame.push(0x80 | 127);
-                frame.extend((long as u64).to_be_bytes());
-            }
-        }
-        frame.extend([0; 4]);
-        frame.extend(bytes);
-        // One that was sent away reads no more.
-        let _ = self.0.get_mut().write_all(&frame);
-    }
-
-    fn say(&mut self, message: &Value) {
-        self.frame(1, message.to_string().as_bytes());
-    }
-
-    fn bytes<const N: usize>(&mut self) -> Option<[u8; N]> {
-        let mut bytes = [0; N];
-        self.0.read_exact(&mut bytes).ok().map(|()| bytes)
-    }
-
-    /// The next message, acknowledged; `None` at the end.
-    fn next(&mut self) -> Option<Value> {
-        let [kind, length] = self.bytes()?;
-        let length = match length & 0x7F {
-            126 => usize::from(u16::from_be_bytes(self.bytes()?)),
-            127 => u64::from_be_bytes(self.bytes()?) as usize,
-            length => usize::from(length),
-        };
-        let mut payload = vec![0; length];
-        self.0.read_exact(&mut payload).ok()?;
-        if kind & 0x0F == 8 {
-            return None;
-        }
-        let message: Value = serde_json::from_slice(&payload).expect("JSON");
-        if message["t"] == "scan" {
-            self.say(&json!({ "t": "ack", "seq": message["seq"] }));
-        }
-        Some(message)
-    }
-
-    /// Messages until one is as wanted.
-    fn until(&mut self, what: &str, is_wanted: impl Fn(&Value) -> bool) -> Value {
-        for _ in 0..400 {
-            let message = self.next().unwrap_or_else(|| panic!("{what}: the connection has ended"));
-            if is_wanted(&message) {
-                return message;
-            }
-        }
-        panic!("{what} does not come");
-    }
-
-    fn subscribe(&mut self) {
-        self.say(&json!({ "t": "sub", "id": "rows", "what": "rows", "block": "OB1", "from": 0, "to": 20, "reason": 3 }));
-        self.say(&json!({ "t": "sub", "id": "tags", "what": "tags", "names": ["MW 10,INT", "M 60.0", "MW 10", "nothing"] }));
-    }
+/// Rows and values that most tests look at.
+fn subscribe(page: &mut Page) {
+    page.say(&json!({ "t": "sub", "id": "rows", "what": "rows", "block": "OB1", "from": 0, "to": 20, "reason": 3 }));
+    page.say(&json!({ "t": "sub", "id": "tags", "what": "tags", "names": ["MW 10,INT", "M 60.0", "MW 10", "nothing"] }));
 }
 
 /// A value that is shown as a number.
@@ -185,7 +45,7 @@ fn all_values_of_a_message_belong_to_one_scan() {
         (welcome["t"].as_str(), welcome["project"].as_str(), welcome["role"].as_str()),
         (Some("welcome"), Some("pump"), Some("program"))
     );
-    page.subscribe();
+    subscribe(&mut page);
     let (mut row, mut tags, mut offset) = (Value::Null, json!({}), None);
     let mut compared = 0;
     while compared < 30 {
@@ -236,7 +96,7 @@ fn the_past_is_shown_as_it_was_and_who_wrote_it() {
     let folder = project();
     let serving = Serving::usual(&folder);
     let mut page = serving.page("");
-    page.subscribe();
+    subscribe(&mut page);
     let far = page.until("some scans", |message| has_both(message) || message["n"].as_u64() > Some(60));
     let newest = page.until("more scans", |message| message["n"].as_u64() > Some(80))["n"].as_u64().expect("a scan");
     assert!(far["oldest"].as_u64() <= Some(1), "{far}");
@@ -347,7 +207,7 @@ fn a_page_that_says_anything_is_sent_away_and_others_are_not() {
     let folder = project();
     let serving = Serving::usual(&folder);
     let mut other = serving.page("");
-    other.subscribe();
+    subscribe(&mut other);
     let deep = format!("{{\"t\":{}", "[".repeat(50_000));
     let long = vec![b' '; 1_000_000];
     for (number, (kind, frame, code)) in [
@@ -411,7 +271,7 @@ fn the_end_of_the_run_is_said_to_pages() {
     let folder = project();
     let mut serving = Serving::usual(&folder);
     let mut page = serving.page("");
-    page.subscribe();
+    subscribe(&mut page);
     page.until("a scan", has_both);
     let killed = Command::new("kill").args(["-INT", &serving.child.id().to_string()]).status().expect("kill exists");
     assert!(killed.success());

@@ -749,6 +749,12 @@ problems! {
         "ein Zyklus, der nicht aufgezeichnet ist" "Einen zwischen `oldest` und `newest` wählen.";
     P7140 Error "a token that cannot be kept" "Look whether this user may write in the folder of the project, and whether the file is this user's and has the mode 0600."
         "ein Token, das nicht gespeichert werden kann" "Prüfen, ob dieser Benutzer im Projektordner schreiben darf und ob die Datei ihm gehört und die Rechte 0600 hat.";
+    P7145 Error "a project that this page may not change to" "Choose one of the examples that `GET /api/v1/project` lists; a run of another project is begun from the command line."
+        "ein Projekt, zu dem diese Seite nicht wechseln darf" "Eines der Beispiele wählen, die `GET /api/v1/project` nennt; ein Lauf eines anderen Projekts beginnt auf der Kommandozeile.";
+    P7146 Error "a watch table that cannot be read" "Correct the line: the first one is `name,format,comment`, each other one has up to three such fields; `docs/reference/watch-tables.md` describes them."
+        "eine Variablentabelle, die nicht gelesen werden kann" "Die Zeile berichtigen: Die erste ist `name,format,comment`, jede weitere hat bis zu drei solche Felder; `docs/reference/watch-tables.md` beschreibt sie.";
+    P7147 Error "a watch table that the project does not have" "`GET /api/v1/watch` names those that it has: files that end in `.watch` in the folder of the project."
+        "eine Variablentabelle, die das Projekt nicht hat" "`GET /api/v1/watch` nennt die vorhandenen: Dateien mit der Endung `.watch` im Projektordner.";
 
     // 8xxx run time
     P8001 Error "the CPU went to STOP" "Read the diagnostic buffer: it names the block and the statement."

@@ -47,6 +47,11 @@ impl Forces {
         }
     }
 
+    /// Another CPU runs: nothing is forced there yet.
+    pub(crate) fn forget(&self) {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).clear();
+    }
+
     /// What is forced, with what is at the terminal, and why.
     pub(crate) fn json(&self, hub: &Hub) -> Json {
         let facts = hub.facts.facts();

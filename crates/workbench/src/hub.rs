@@ -26,6 +26,7 @@ use sieben_workspace::status::{Desk, Look, Onlooker, Sample};
 use sieben_workspace::{Closed, Gate, Plant, Speed};
 use tokio::sync::watch;
 
+use crate::clients::Rates;
 use crate::forces::Forces;
 use crate::live::content::Content;
 use crate::live::message::Common;
@@ -61,6 +62,8 @@ struct Meant {
 
 /// What was seen where a scan ended.
 struct Seen {
+    /// The version of the program that ran.
+    version: u64,
     sample: Option<Arc<Sample>>,
     tags: HashMap<String, Json>,
     plant: Option<Content>,
@@ -83,6 +86,8 @@ pub(crate) struct Hub {
     pub(crate) wanted: AllWanted,
     /// Why operands are forced.
     pub(crate) forces: Forces,
+    /// How often clients ask.
+    rates: Rates,
     visitors: Mutex<BTreeMap<u64, Visitor>>,
     next: AtomicU64,
     program: Mutex<Arc<Known>>,
@@ -126,6 +131,7 @@ impl Hub {
             reference,
             wanted: AllWanted::default(),
             forces: Forces::default(),
+            rates: Rates::default(),
             visitors: Mutex::default(),
             next: AtomicU64::new(1),
             program,
@@ -142,7 +148,13 @@ impl Hub {
         let version = self.facts.version();
         let mut program = lock(&self.program);
         if program.version != version {
-            *program = Arc::new(Known::new(version, self.facts.facts()));
+            let known = Known::new(version, self.facts.facts());
+            if known.facts.run != program.facts.run {
+                // What was forced and seen was on another CPU.
+                self.forces.forget();
+                lock(&self.reasons).clear();
+            }
+            *program = Arc::new(known);
         }
         Arc::clone(&program)
     }
@@ -217,19 +229,29 @@ impl Hub {
 
     /// One look: at what the replay has seen, else at the CPU as it stands.
     fn look(&self, wanted: &Wanted, was_replayed: bool, looks: u64) -> Result<Shot, Closed> {
-        let replayed = if was_replayed { lock(&self.seen).take() } else { None };
-        let program = self.program();
-        let items = self.items(wanted, &program);
-        let (mut head, standing, forced) = self.gate.look(|plant| {
-            let standing = replayed.is_none().then(|| see(&plant.cpu, &items, wanted));
-            (self.head(plant), standing, forced(plant))
-        })?;
+        let taken = if was_replayed { lock(&self.seen).take() } else { None };
+        let (program, is_replayed, (mut head, standing, forced)) = loop {
+            let program = self.program();
+            let items = self.items(wanted, &program);
+            let is_replayed = taken.as_ref().is_some_and(|seen| seen.version == program.version);
+            let looked = self.gate.look(|plant| {
+                // Programs take over between two scans: at the gate it is certain which one runs.
+                (self.facts.version() == program.version).then(|| {
+                    let standing = (!is_replayed).then(|| see(&plant.cpu, &items, wanted));
+                    (self.head(plant), standing, forced(plant))
+                })
+            })?;
+            if let Some(looked) = looked {
+                break (program, is_replayed, looked);
+            }
+        };
+        let replayed = taken.filter(|_| is_replayed);
         let seen = match replayed {
             Some(seen) => seen,
             None => {
                 let (tags, plant) = standing.unwrap_or_default();
-                let newest = self.desk_sample(head.newest, wanted);
-                Seen { sample: newest, tags, plant, mode: mode_of(head.mode), scan: head.newest, time_us: head.newest_us }
+                let newest = self.desk_sample(&program, head.newest, wanted);
+                Seen { version: program.version, sample: newest, tags, plant, mode: mode_of(head.mode), scan: head.newest, time_us: head.newest_us }
             }
         };
         head.scan = seen.scan;
@@ -244,7 +266,7 @@ impl Hub {
             common.insert(Common::Leds, leds(seen.mode, forced));
         }
         let reasons = lock(&self.reasons).clone();
-        let before = self.newest.borrow().clone();
+        let before = self.before(&program);
         let flows = self.flows(wanted, &program, seen.sample.as_deref(), before.as_deref());
         Ok(Shot { head, program, sample: seen.sample, reasons, flows, tags: seen.tags, common })
     }
@@ -275,9 +297,14 @@ impl Hub {
         wanted.flows.iter().filter(|(block, ..)| sample.blocks.contains(block)).map(flow).collect()
     }
 
+    /// The look before, if it was at the same CPU.
+    fn before(&self, program: &Known) -> Option<Arc<Shot>> {
+        self.newest.borrow().clone().filter(|shot| shot.program.facts.run == program.facts.run)
+    }
+
     /// The newest sample, where it still belongs to the newest scan.
-    fn desk_sample(&self, newest: u64, wanted: &Wanted) -> Option<Arc<Sample>> {
-        let shot = self.newest.borrow().clone()?;
+    fn desk_sample(&self, program: &Known, newest: u64, wanted: &Wanted) -> Option<Arc<Sample>> {
+        let shot = self.before(program)?;
         let sample = shot.sample.clone()?;
         (!wanted.blocks.is_empty() && sample.scan == newest).then_some(sample)
     }
@@ -318,7 +345,7 @@ impl Hub {
 
     /// What is the same for all pages.
     fn common(&self, wanted: &Wanted, program: &Known, looks: u64) -> BTreeMap<Common, Content> {
-        let before = self.newest.borrow().clone();
+        let before = self.before(program);
         let mut common = BTreeMap::new();
         for &one in &wanted.common {
             // What moves slowly, and takes more than a look, is the one of before most of the time.
@@ -339,19 +366,14 @@ impl Hub {
 
     /// Clients of servers, and pages.
     pub(crate) fn clients(&self) -> Json {
-        let server = |client: &sieben_workspace::control::Client| {
-            json!({
-                "id": format!("{} {}", client.protocol, client.peer), "name": client.partner, "protocol": client.protocol, "peer": client.peer,
-                "connected_ms": client.for_us as f64 / 1000.0, "request": client.last,
-            })
-        };
+        let servers = self.rates.json(self.facts.clients(), &self.facts.facts(), self.gate.now_us());
         let page = |(number, visitor): (&u64, &Visitor)| {
             json!({
                 "id": format!("page {number}"), "name": "page", "protocol": "HTTP", "peer": visitor.peer, "role": visitor.role.word(),
+                "reads": 0, "writes": 0,
             })
         };
-        let servers = self.facts.clients();
-        servers.iter().map(server).chain(lock(&self.visitors).iter().map(page)).collect()
+        servers.into_iter().chain(lock(&self.visitors).iter().map(page)).collect()
     }
 
     /// The diagnostic buffer, newest first.
@@ -528,10 +550,12 @@ impl Onlooker for Hub {
 
     fn ended(&self, cpu: &Cpu, sample: &Arc<Sample>) {
         let wanted = self.wanted.together();
-        let items = self.items(&wanted, &self.program());
+        let program = self.program();
+        let items = self.items(&wanted, &program);
         let (tags, plant) = see(cpu, &items, &wanted);
         lock(&self.reasons).retain(|place, _| wanted.reasons.contains(place) && sample.statements.contains_key(place));
-        let seen = Seen { sample: Some(Arc::clone(sample)), tags, plant, mode: cpu.mode(), scan: sample.scan, time_us: sample.time_us };
+        let version = program.version;
+        let seen = Seen { version, sample: Some(Arc::clone(sample)), tags, plant, mode: cpu.mode(), scan: sample.scan, time_us: sample.time_us };
         *lock(&self.seen) = Some(seen);
     }
 }

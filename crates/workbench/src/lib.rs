@@ -2,15 +2,18 @@
 #![forbid(unsafe_code)]
 
 pub mod access;
+mod clients;
 mod forces;
 mod http;
 mod hub;
 pub mod live;
 mod past;
+mod projects;
 mod reference;
 mod server;
 
 pub use hub::PAGES_MAX;
+pub use projects::{Listed, PROJECT, Projects};
 pub use reference::{Reference, View};
 pub use server::{MetricsText, Page, Setup, listen};
 

@@ -6,7 +6,6 @@ use std::sync::Arc;
 use std::thread::JoinHandle;
 use std::time::Duration;
 
-use axum::Router;
 use sieben_workspace::Gate;
 use sieben_workspace::control::CurrentFacts;
 use sieben_workspace::status::Desk;
@@ -15,6 +14,7 @@ use tokio::sync::oneshot;
 use crate::access::Access;
 use crate::http::{self, Limits};
 use crate::hub::Hub;
+use crate::projects::Projects;
 use crate::reference::Reference;
 
 /// Threads that wait for the CPU on behalf of requests.
@@ -35,6 +35,8 @@ pub struct Setup {
     pub facts: Arc<CurrentFacts>,
     /// Answers questions about the program as a whole.
     pub reference: Box<dyn Reference>,
+    /// The project, what may run instead, and the files beside its program.
+    pub projects: Arc<dyn Projects>,
     /// The numbers of the run.
     pub metrics: MetricsText,
     /// Who is answered.
@@ -46,6 +48,7 @@ pub(crate) struct Shared {
     pub(crate) hub: Arc<Hub>,
     pub(crate) access: Access,
     pub(crate) reference: Arc<dyn Reference>,
+    pub(crate) projects: Arc<dyn Projects>,
     pub(crate) metrics: MetricsText,
     pub(crate) limits: Limits,
 }
@@ -72,7 +75,7 @@ impl Page {
     /// # Errors
     /// The system has no room for the threads or their handles.
     pub fn start(listener: TcpListener, setup: Setup) -> io::Result<Self> {
-        let Setup { gate, desk, facts, reference, metrics, mut access } = setup;
+        let Setup { gate, desk, facts, reference, projects, metrics, mut access } = setup;
         let address = listener.local_addr()?;
         access.listen = address;
         listener.set_nonblocking(true)?;
@@ -80,7 +83,7 @@ impl Page {
         let hub = Arc::new(Hub::new(gate, desk, facts, Arc::clone(&reference)));
         hub.desk.past().keep();
         hub.desk.set_onlooker(Arc::clone(&hub) as Arc<dyn sieben_workspace::status::Onlooker>);
-        let shared = Arc::new(Shared { hub: Arc::clone(&hub), access, reference, metrics, limits: Limits::default() });
+        let shared = Arc::new(Shared { hub: Arc::clone(&hub), access, reference, projects, metrics, limits: Limits::default() });
         let runtime = tokio::runtime::Builder::new_current_thread().enable_all().max_blocking_threads(WAITING_THREADS_MAX).build()?;
         let (end, ends) = oneshot::channel();
         let spawn = |name: &str, body: Box<dyn FnOnce() + Send>| std::thread::Builder::new().name(name.to_owned()).spawn(body);
@@ -119,10 +122,8 @@ impl Drop for Page {
 
 async fn serve(listener: TcpListener, shared: Arc<Shared>, ends: oneshot::Receiver<()>) {
     let Ok(listener) = tokio::net::TcpListener::from_std(listener) else { return };
-    let router = Router::new().fallback(http::answer).with_state(shared);
-    let service = router.into_make_service_with_connect_info::<SocketAddr>();
     tokio::select! {
-        _ = axum::serve(listener, service) => {}
+        () = http::serve(listener, shared) => {}
         _ = ends => tokio::time::sleep(FAREWELL).await,
     }
 }

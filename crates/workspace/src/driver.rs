@@ -17,6 +17,10 @@ const PAUSE_US_MIN: u64 = 1_000;
 
 /// What stands around a run.
 pub trait Surroundings {
+    /// Before anything else of an iteration: [another CPU](crate::exchange) may take the place of this one.
+    fn exchange(&mut self, plant: &mut Plant) {
+        let _ = plant;
+    }
     /// Retentive data is kept: after each scan, before the next one releases its outputs.
     fn keep(&mut self, cpu: &mut Cpu) {
         let _ = cpu;
@@ -132,6 +136,7 @@ impl<'g> Driver<'g> {
     }
 
     fn iteration(&mut self, plant: &mut Plant) -> Next {
+        self.surroundings.exchange(plant);
         if let Some((restart, by)) = plant.start.take() {
             let mut clock = self.clock(&plant.pace);
             plant.waits_in_stop = false;

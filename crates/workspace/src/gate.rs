@@ -83,6 +83,19 @@ impl Plant {
         self.stays_in_stop = true;
     }
 
+    /// Another CPU takes the place of this one, and starts in the next iteration: it has scans and a time of its own, at the same speed.
+    pub(crate) fn exchange(&mut self, mut cpu: Cpu, cycle_us: u64, real_us: u64) {
+        cpu.take_requests_of(&self.cpu);
+        let mut pace = Pace::new(self.pace.speed(), cycle_us, self.pace.end_us, real_us);
+        pace.missed = self.pace.missed;
+        *self = Self {
+            start: Some((Restart::Warm, Requester::default())),
+            stays_in_stop: self.stays_in_stop,
+            touched: true,
+            ..Self::new(cpu, pace)
+        };
+    }
+
     /// Says that something was changed that the CPU did not do itself: its past is kept from there anew.
     pub fn touch(&mut self) {
         self.touched = true;

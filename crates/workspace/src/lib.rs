@@ -10,6 +10,7 @@ pub mod controller;
 pub mod coverage;
 pub mod driver;
 pub mod duration;
+pub mod exchange;
 pub mod failed;
 pub mod finding;
 pub mod gate;
@@ -31,6 +32,7 @@ pub mod settings;
 pub mod status;
 pub mod testing;
 pub mod tracing;
+pub mod watch_table;
 pub mod xml;
 
 pub use driver::{Driver, End, Surroundings};

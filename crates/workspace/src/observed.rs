@@ -187,6 +187,13 @@ impl Observed {
         self.entries().push(plant.scans, time_us, Event::Note(text.into()));
     }
 
+    /// Another CPU runs from now on: what the one before did is forgotten, also its mode. Numbers go on.
+    pub(crate) fn begin_anew(&self) {
+        self.mode.store(NO_MODE, Ordering::Relaxed);
+        let mut entries = self.entries();
+        *entries = Entries { count: entries.count, ..Entries::default() };
+    }
+
     /// Notes another mode: a key, a request or the program may have caused it.
     pub(crate) fn see_mode(&self, plant: &Plant) {
         let mode = plant.cpu.mode();

@@ -127,6 +127,11 @@ impl Past {
         *self.lock() = Kept::default();
     }
 
+    /// Another CPU runs from now on: what was has nothing to do with it.
+    pub(crate) fn begin_anew(&self) {
+        *self.lock() = Kept::default();
+    }
+
     /// Lets a CPU take one step, which is recorded if the past is kept.
     pub(crate) fn step<R>(
         &self,

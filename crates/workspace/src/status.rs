@@ -80,6 +80,8 @@ struct Recorded {
     time_us: u64,
     /// What the computer's clock showed.
     real_us: u64,
+    /// Which CPU of the run it is of.
+    cpu: u64,
 }
 
 /// A block that is looked at for a while.
@@ -120,6 +122,10 @@ pub struct Desk {
     like: Mutex<Option<Arc<EndState>>>,
     newest: Mutex<Newest>,
     sampled: Condvar,
+    /// Held while a replayed scan is shown: then no other CPU comes.
+    showing: Mutex<()>,
+    /// Which CPU of the run runs, from 0.
+    cpu: AtomicU64,
     past: Past,
     /// Sees each scan that is replayed, if anything does.
     onlooker: OnceLock<Arc<dyn Onlooker>>,
@@ -215,9 +221,22 @@ impl Desk {
         let (_, scan) = plant.cpu.scan_recorded(clock, like.as_deref());
         *lock(&self.like) = Some(Arc::clone(scan.after()));
         let time_us = plant.cpu.time_us();
-        *lock(&self.recorded) = Some(Recorded { scan, number, time_us, real_us });
+        let cpu = self.cpu.load(Ordering::Relaxed);
+        *lock(&self.recorded) = Some(Recorded { scan, number, time_us, real_us, cpu });
         self.recordings.fetch_add(1, Ordering::Relaxed);
         self.came.notify_all();
+    }
+
+    /// Another CPU runs from now on: nothing that was seen of the one before is shown any more.
+    pub(crate) fn begin_anew(&self) {
+        self.observed.begin_anew();
+        self.past.begin_anew();
+        lock(&self.kept).clear();
+        *lock(&self.like) = None;
+        *lock(&self.recorded) = None;
+        let _showing = lock(&self.showing);
+        lock(&self.newest).looked = None;
+        self.cpu.fetch_add(1, Ordering::Relaxed);
     }
 
     /// From now on this sees each scan that is replayed; what was said first holds.
@@ -250,6 +269,11 @@ impl Desk {
                 .unwrap_or_else(PoisonError::into_inner);
             let Some(recorded) = ({ recorded }).take() else { continue };
             let looked = self.sample(&recorded, &mut replayer).map(Arc::new);
+            let _showing = lock(&self.showing);
+            // Another CPU has come meanwhile.
+            if self.cpu.load(Ordering::Relaxed) != recorded.cpu {
+                continue;
+            }
             if let (Ok(sample), Some(onlooker), Some(cpu)) = (&looked, self.onlooker.get(), replayer.cpu()) {
                 onlooker.ended(cpu, sample);
             }

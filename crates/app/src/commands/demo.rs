@@ -2,11 +2,13 @@
 
 use std::io;
 use std::sync::Arc;
+use std::sync::atomic::Ordering;
 use std::thread;
 use std::time::Duration;
 
 use clap::{Args, ValueEnum};
 use sieben_lang::symbols::assignment;
+use sieben_workbench::{PROJECT, Projects};
 use sieben_workspace::Speed;
 
 use crate::control::Server;
@@ -76,7 +78,17 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
             false => output::message(&servers.text()),
         }
     }
-    let start_page = |page: PreparedPage| page.start((&demo.gate, &demo.desk, &demo.facts), servers.as_ref(), Box::new(Answers::default()));
+    let story = Arc::clone(&demo.story);
+    // The story waits for users of pages, of the control socket and of S7 clients as for the one at the keys.
+    demo.facts.add_listener(Box::new(move |_, changes| {
+        if changes.iter().any(|change| change.what != PROJECT) {
+            story.user_acted.store(true, Ordering::Relaxed);
+        }
+    }));
+    let start_page = |page: PreparedPage| {
+        let around = (&demo.gate, &demo.desk, &demo.facts);
+        page.start(around, servers.as_ref(), Box::new(Answers::default()), Arc::clone(&demo.chosen) as Arc<dyn Projects>)
+    };
     let page = prepared_page.map(start_page).transpose()?;
     if let Some(page) = &page {
         match has_screen {
@@ -137,9 +149,10 @@ fn show(demo: &Demo) -> io::Result<()> {
 
 /// One sentence about what was seen.
 fn farewell(outcome: &Outcome) -> String {
-    let Outcome { scans, time_ms, litres } = *outcome;
+    let Outcome { example, scans, time_ms, litres } = *outcome;
+    let litres = litres.map_or_else(String::new, |litres| format!(", {litres:.1} litres through the valve"));
     format!(
-        "{} {} in {} of the plant, {litres:.1} litres through the valve.\nThe program is in examples/dosing; `sieben new my-plant --example dosing` copies it.\n",
+        "{} {} in {} of the plant{litres}.\nThe program is in examples/{example}; `sieben new my-plant --example {example}` copies it.\n",
         thousands(scans),
         if scans == 1 { "scan" } else { "scans" },
         clock(time_ms),

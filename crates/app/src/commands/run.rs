@@ -13,13 +13,15 @@ use sieben_cpu::{Cpu, DateAndTime, OperatingMode, Restart, Settings, StopRequest
 use sieben_jit::StatusBits;
 use sieben_model::problems::Problem;
 use sieben_model::visible::visible;
+use sieben_workbench::Projects;
 use sieben_workspace::control::{CurrentFacts, Facts, watched};
 use sieben_workspace::controller;
 use sieben_workspace::duration;
+use sieben_workspace::exchange::{Next, exchange};
 use sieben_workspace::failed::{self, Failed};
 use sieben_workspace::gate::Clock;
 use sieben_workspace::observed::Observer;
-use sieben_workspace::project::Build;
+use sieben_workspace::project::{Build, Overrides};
 use sieben_workspace::status::Desk;
 use sieben_workspace::{Driver, Gate, Pace, Plant, Speed, Surroundings};
 
@@ -29,6 +31,7 @@ use crate::duration::{cycle_argument, duration_argument};
 use crate::engines::EngineArgument;
 use crate::failure::{Exit, Failure};
 use crate::page::Answers;
+use crate::page::projects::{self, Change, Choice, Chosen, Prepare};
 use crate::palette::Palette;
 use crate::retain::{RetainArguments, Retention, RunTime};
 use crate::screen::{self, Direct, Screen};
@@ -144,18 +147,13 @@ pub(crate) fn run_as(verb: Verb, mut arguments: RunArguments) -> Result<Exit, Fa
     let usually = if always == Always::Yes && of_page.is_some() { Usually::With } else { Usually::Without };
     let prepared_page = arguments.servers.prepare_page(of_page, build.project.home.as_deref(), usually)?;
     let project = &build.project.settings;
-    let cycle = arguments.cycle.or(project.cycle).unwrap_or(Duration::from_millis(10)).max(project.min_cycle.unwrap_or_default());
+    let cycle = cycle_of(&build, arguments.cycle);
     if arguments.speed == Speed::Max && cycle.is_zero() {
         return Err(Failure::usage(Problem::P7009, "with `--speed max` time is virtual, and a cycle of 0 would never pass any")
             .help("give `--cycle 10ms`"));
     }
-    let real = arguments.speed == Speed::Factor(1.0);
-    let settings = Settings {
-        time: if real { TimeSource::Real } else { TimeSource::Virtual },
-        date_and_time: if real { now() } else { DateAndTime::DEFAULT },
-        ..controller::settings(&build)
-    };
-    let mut cpu = controller::load(&build, arguments.engine.factory(StatusBits::Needed), settings);
+    let source = if arguments.speed == Speed::Factor(1.0) { TimeSource::Real } else { TimeSource::Virtual };
+    let mut cpu = controller::load(&build, arguments.engine.factory(StatusBits::Needed), settings(&build, source));
     arguments.faults.inject(&mut cpu)?;
     let time = if arguments.speed == Speed::Max { RunTime::Virtual } else { RunTime::Real };
     let choice = arguments.retain.choice(&build.project, time, arguments.json);
@@ -207,7 +205,18 @@ pub(crate) fn run_as(verb: Verb, mut arguments: RunArguments) -> Result<Exit, Fa
         output::message(&why.to_string());
     }
     let mut servers = prepared.map(|prepared| prepared.start(build.cpu, &gate, arguments.engine)).transpose()?;
-    let start_page = |page: PreparedPage| page.start((&gate, &desk, &facts), servers.as_ref(), Box::new(Answers::default()));
+    let stays_with = verb == Verb::Serve || arguments.watch || arguments.duration.is_some();
+    let example = projects::example_of(&build.project).filter(|_| !stays_with);
+    let choice = match example {
+        Some(example) => Choice::Examples(example),
+        None => Choice::Alone(project.name.clone().unwrap_or_else(|| "Sieben".to_owned())),
+    };
+    let prepare = prepare(arguments.engine, overrides, source, arguments.cycle);
+    let chosen = Arc::new(Chosen::new(choice, build.project.home.as_deref(), &gate, prepare));
+    let start_page = |page: PreparedPage| {
+        let projects = Arc::clone(&chosen) as Arc<dyn Projects>;
+        page.start((&gate, &desk, &facts), servers.as_ref(), Box::new(Answers::default()), projects)
+    };
     let page = prepared_page.map(start_page).transpose()?;
     if let Some(servers) = &servers {
         servers.introduce(&facts, &gate);
@@ -246,6 +255,7 @@ pub(crate) fn run_as(verb: Verb, mut arguments: RunArguments) -> Result<Exit, Fa
         watch,
         build: &mut build,
         facts: &facts,
+        chosen: &chosen,
         quiet,
         told_stop: !stays,
         stays,
@@ -275,6 +285,33 @@ pub(crate) fn run_as(verb: Verb, mut arguments: RunArguments) -> Result<Exit, Fa
         let outcome = Outcome { scans: plant.scans, time_us, interrupted: ending.is_wanted(), stays };
         report(arguments, &build, &plant.cpu, &outcome, failed.as_ref(), retention.as_ref(), watch.as_ref())
     })
+}
+
+/// Makes the CPU of an example as this run has it.
+fn prepare(engine: EngineArgument, overrides: Overrides, source: TimeSource, cycle: Option<Duration>) -> Prepare {
+    Box::new(move |example| {
+        let build = projects::build(example, overrides)?;
+        let settings = settings(&build, source);
+        let cpu = controller::load(&build, engine.factory(StatusBits::Needed), settings);
+        let facts = Facts::of(&build, cpu.program());
+        let cycle_us = duration::micros(cycle_of(&build, cycle));
+        Ok(Change { example, build, next: Next { cpu, facts, cycle_us } })
+    })
+}
+
+/// What the CPU of a run is set to.
+fn settings(build: &Build, time: TimeSource) -> Settings {
+    Settings {
+        time,
+        date_and_time: if time == TimeSource::Real { now() } else { DateAndTime::DEFAULT },
+        ..controller::settings(build)
+    }
+}
+
+/// From one scan to the next: as the command line says, else as the project does.
+fn cycle_of(build: &Build, named: Option<Duration>) -> Duration {
+    let project = &build.project.settings;
+    named.or(project.cycle).unwrap_or(Duration::from_millis(10)).max(project.min_cycle.unwrap_or_default())
 }
 
 /// The clock of this computer from now on, in microseconds.
@@ -399,6 +436,8 @@ struct Around<'a> {
     build: &'a mut Build,
     /// What those who come in from outside know of it.
     facts: &'a CurrentFacts,
+    /// Which project runs; the page may change it.
+    chosen: &'a Chosen,
     /// Nothing is said about online changes: the result is for a program.
     quiet: bool,
     /// The STOP that the CPU is in was said already, or is said at the end.
@@ -435,6 +474,26 @@ impl Say<'_> {
 }
 
 impl Surroundings for Around<'_> {
+    /// Another example takes the place of the project, if the page wants that.
+    fn exchange(&mut self, plant: &mut Plant) {
+        let Some(Change { example, build, next }) = self.chosen.take() else { return };
+        // Its retentive data is kept; that of the examples after it is in memory only.
+        if let Some(mut retention) = self.retention.take() {
+            retention.close(&mut plant.cpu);
+        }
+        *self.build = build;
+        (self.failed, self.told_stop) = (None, !self.stays);
+        exchange(plant, next, (self.say.desk, self.facts), self.ending.gate.now_us());
+        plant.cpu.measure_blocks();
+        if let Some(changes) = &mut self.changes {
+            *changes = Observer::new(watched(&self.facts.facts()));
+        }
+        if !self.quiet {
+            self.say.say(plant, &format!("The example `{}` runs now.\n", example.name));
+        }
+        self.chosen.took(example);
+    }
+
     /// Keeps retentive data before the next scan releases the outputs of this one.
     fn keep(&mut self, cpu: &mut Cpu) {
         if let Some(retention) = &mut self.retention {

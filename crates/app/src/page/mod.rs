@@ -3,6 +3,7 @@
 pub(crate) mod assignments;
 mod blocks;
 mod flow;
+pub(crate) mod projects;
 mod references;
 pub(crate) mod structure;
 

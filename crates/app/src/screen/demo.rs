@@ -1,6 +1,5 @@
 //! The demo at work: the dosing example on a CPU behind a gate, the thread that scans it, and its operator.
 
-use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
@@ -10,18 +9,20 @@ use sieben_jit::Jit;
 use sieben_model::cpu_type::CpuType;
 use sieben_model::symbols::SymbolTable;
 use sieben_workspace::control::{CurrentFacts, Facts, watched};
+use sieben_workspace::exchange::{Next, exchange};
 use sieben_workspace::finding;
 use sieben_workspace::gate::Clock;
 use sieben_workspace::observed::{Event, Observer};
 use sieben_workspace::pace::Missed;
-use sieben_workspace::project::{Build, Overrides, Project};
+use sieben_workspace::project::{Build, Overrides};
 use sieben_workspace::status::Desk;
-use sieben_workspace::{Closed, Driver, Gate, Pace, Plant, Speed, Surroundings, controller, duration};
+use sieben_workspace::{Closed, Driver, Gate, Pace, Plant, Refusal, Speed, Surroundings, controller, duration};
 
 use super::operator::{CYCLE_US, Operator, litres};
 use super::plain;
 use super::state::Story;
 use crate::examples::Example;
+use crate::page::projects::{self, Change, Choice, Chosen};
 
 /// The example that the demo runs.
 const EXAMPLE: &str = "dosing";
@@ -42,6 +43,8 @@ pub(crate) struct Demo {
     pub(crate) symbols: SymbolTable,
     /// The story that the operator follows.
     pub(crate) story: Arc<Story>,
+    /// The example that runs, which the page may change.
+    pub(crate) chosen: Arc<Chosen>,
     /// Only looked at inside of the gate, so that a scan never waits for it.
     operator: Mutex<Operator>,
     is_ended: AtomicBool,
@@ -50,30 +53,30 @@ pub(crate) struct Demo {
 /// The end of a demo: how much was done.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Outcome {
+    /// The example that ran last.
+    pub(crate) example: &'static str,
     /// Scans of the program.
     pub(crate) scans: u64,
     /// The time of the plant in milliseconds.
     pub(crate) time_ms: u64,
-    /// What has run through the valve.
-    pub(crate) litres: f64,
+    /// What has run through the valve, where the plant has one.
+    pub(crate) litres: Option<f64>,
 }
 
 /// The project of an example, compiled. It is a part of Sieben: one that does not compile is our own mistake.
 pub(crate) fn example(name: &str) -> Build {
     let example = Example::by_name(name).expect("the examples come with Sieben");
-    let mut project = Project::new(None);
-    for (path, content) in example.files {
-        let path = Path::new(path);
-        match path.extension().and_then(|ending| ending.to_str()) {
-            Some("toml") => project.add_settings(path, content.as_bytes()),
-            Some("csv") => project.add_symbols(path, content.as_bytes()).expect("an example has a small table"),
-            Some("awl" | "scl" | "st") if !path.to_string_lossy().contains(".test.") => project.add_source(path, content.as_bytes()),
-            _ => {}
-        }
-    }
-    let build = project.compile(Overrides::default(), false);
+    let build = example.project().compile(Overrides::default(), false);
     assert!(!finding::has_errors(&build.findings), "the example `{name}` compiles");
     build
+}
+
+/// The CPU of another example, as the demo has it.
+fn prepare(example: &'static Example) -> Result<Change, Refusal> {
+    let build = projects::build(example, Overrides::default())?;
+    let cpu = controller::load(&build, Jit::load, controller::settings(&build));
+    let facts = Facts::of(&build, cpu.program());
+    Ok(Change { example, build, next: Next { cpu, facts, cycle_us: CYCLE_US } })
 }
 
 impl Demo {
@@ -92,10 +95,18 @@ impl Demo {
         let facts = Facts { project: Some(NAME.to_owned()), ..Facts::of(&build, cpu.program()) };
         let story = Arc::new(Story::default());
         let mut plant = Plant::new(cpu, pace);
+        // A demo that ends by itself is one of this plant.
+        let ends = plant.pace.end_us != u64::MAX;
         plant.stay_in_stop();
+        let gate = Arc::new(Gate::new(plant, clock));
+        let choice = match Example::by_name(EXAMPLE) {
+            Some(example) if !ends => Choice::Examples(example),
+            _ => Choice::Alone(NAME.to_owned()),
+        };
         Self {
             operator: Mutex::new(Operator::new(Arc::clone(&story))),
-            gate: Arc::new(Gate::new(plant, clock)),
+            chosen: Arc::new(Chosen::new(choice, None, &gate, Box::new(prepare))),
+            gate,
             desk: Arc::default(),
             facts: Arc::new(CurrentFacts::new(facts)),
             cpu_type: build.cpu,
@@ -128,7 +139,13 @@ impl Demo {
 
     /// What has been done, at the end.
     pub(crate) fn outcome(&self) -> Outcome {
-        self.gate.finish(|plant| Outcome { scans: plant.scans, time_ms: self.operator().time_us() / 1_000, litres: litres(plant) })
+        let example = self.chosen.example().map_or(EXAMPLE, |example| example.name);
+        self.gate.finish(|plant| Outcome {
+            example,
+            scans: plant.scans,
+            time_ms: self.operator().time_us() / 1_000,
+            litres: litres(plant),
+        })
     }
 
     fn operator(&self) -> MutexGuard<'_, Operator> {
@@ -152,6 +169,20 @@ impl<'s> Around<'s> {
 }
 
 impl Surroundings for Around<'_> {
+    fn exchange(&mut self, plant: &mut Plant) {
+        let Some(Change { example, next, .. }) = self.demo.chosen.take() else { return };
+        let Demo { gate, desk, facts, story, .. } = self.demo;
+        exchange(plant, next, (desk, facts), gate.now_us());
+        plant.cpu.measure_blocks();
+        story.user_acted.store(false, Ordering::Relaxed);
+        *self.demo.operator() = Operator::new(Arc::clone(story));
+        if let Some((_, observer)) = &mut self.changes {
+            *observer = Observer::new(watched(&facts.facts()));
+        }
+        desk.observed.note(plant, format!("the example `{}` runs now", example.name));
+        self.demo.chosen.took(example);
+    }
+
     fn before_scan(&mut self, plant: &mut Plant) {
         self.demo.operator().before_scan(plant);
         // The first look is at what was before the first scan.

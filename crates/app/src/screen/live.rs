@@ -66,7 +66,14 @@ fn play(
         for text in output::held() {
             text.lines().filter(|line| !line.trim().is_empty()).for_each(|line| (around.note)(line.trim_end()));
         }
+        let run = look.run();
         look.refresh(asks, &screen.names, &screen.formats, screen.block.as_deref())?;
+        if run.is_some() && look.run() != run {
+            // Another project runs: nothing that was chosen is there any more.
+            screen.begin_anew();
+            look = Look::default();
+            continue;
+        }
         if said_at.elapsed() >= SAID {
             screen.said = None;
         }

@@ -248,6 +248,11 @@ impl Look {
         self.state[key].as_str().unwrap_or_default()
     }
 
+    /// Which CPU of the run was looked at; `None` before the first look.
+    pub(crate) fn run(&self) -> Option<u64> {
+        self.state["run"].as_u64()
+    }
+
     /// Whether time stands still.
     pub(crate) fn is_paused(&self) -> bool {
         self.state["paused"] == true

@@ -22,6 +22,8 @@ const STORY_US: u64 = 3_000_000;
 const USER_US: u64 = 20_000_000;
 /// The tank is filled again below this level, while the valve is closed.
 const REFILL_LITRES: f64 = 30.0;
+/// The kind of the plant that the story is about.
+const KIND: &str = "dosing";
 /// The flow meter, as faults call it.
 const METER: &str = "flow";
 
@@ -85,12 +87,12 @@ pub(crate) struct Operator {
 
 /// The plant of the demo.
 fn dosing(plant: &Plant) -> Option<&wrap::Plant> {
-    wrap::plants(plant.cpu.rack()).next()
+    wrap::plants(plant.cpu.rack()).next().filter(|plant| plant.kind().name == KIND)
 }
 
-/// What has run through the valve of the demo.
-pub(crate) fn litres(plant: &Plant) -> f64 {
-    dosing(plant).and_then(|dosing| dosing.device().value("delivered")).unwrap_or_default()
+/// What has run through the valve of the demo; `None` where the plant is another one.
+pub(crate) fn litres(plant: &Plant) -> Option<f64> {
+    dosing(plant)?.device().value("delivered")
 }
 
 impl Operator {
@@ -136,7 +138,12 @@ impl Operator {
         if std::mem::replace(&mut self.was_on, is_on) != is_on {
             (self.user_us, self.idle_since_us) = (None, self.now_us);
         }
-        let Some(seen) = Self::look(plant) else { return };
+        let seen = Self::look(plant);
+        self.story.has_plant.store(seen.is_some(), Ordering::Relaxed);
+        let Some(seen) = seen else {
+            self.story.seconds.store(u64::MAX, Ordering::Relaxed);
+            return;
+        };
         self.look_after_plant(plant, &seen);
         self.tell_story(plant, &seen);
         let seconds = self.story_due_us(plant, &seen).map_or(u64::MAX, |due| due.saturating_sub(self.now_us).div_ceil(1_000_000));

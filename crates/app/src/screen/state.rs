@@ -78,11 +78,18 @@ pub(crate) struct Story {
     pub(crate) user_acted: AtomicBool,
     /// Seconds until it presses START; [`u64::MAX`] if it will not.
     pub(crate) seconds: AtomicU64,
+    /// Whether its plant is there: a page may have changed to another example.
+    pub(crate) has_plant: AtomicBool,
 }
 
 impl Default for Story {
     fn default() -> Self {
-        Self { is_on: AtomicBool::new(true), user_acted: AtomicBool::new(false), seconds: AtomicU64::new(u64::MAX) }
+        Self {
+            is_on: AtomicBool::new(true),
+            user_acted: AtomicBool::new(false),
+            seconds: AtomicU64::new(u64::MAX),
+            has_plant: AtomicBool::new(true),
+        }
     }
 }
 
@@ -165,6 +172,12 @@ impl Screen {
     /// A screen in the language of the command line or the environment.
     pub(crate) fn spoken() -> Self {
         Self { language: crate::language::spoken(), ..Self::default() }
+    }
+
+    /// Another project runs from now on.
+    pub(crate) fn begin_anew(&mut self) {
+        let Self { language, names, story, .. } = std::mem::take(self);
+        *self = Self { language, names, story, ..Self::default() };
     }
 
     /// A text in the language of the screen.

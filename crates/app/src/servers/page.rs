@@ -10,7 +10,7 @@ use rustix::rand::{GetRandomFlags, getrandom};
 use sieben_comm::recording::audit::Audit;
 use sieben_model::problems::Problem;
 use sieben_workbench::access::{Access, Tokens};
-use sieben_workbench::{PORT, Page, Reference, Setup};
+use sieben_workbench::{PORT, Page, Projects, Reference, Setup};
 use sieben_workspace::Gate;
 use sieben_workspace::control::CurrentFacts;
 use sieben_workspace::metrics;
@@ -131,6 +131,7 @@ impl PreparedPage {
         (gate, desk, facts): (&Arc<Gate>, &Arc<Desk>, &Arc<CurrentFacts>),
         servers: Option<&Servers>,
         reference: Box<dyn Reference>,
+        projects: Arc<dyn Projects>,
     ) -> Result<ServedPage, Failure> {
         let viewer = servers.map(|servers| servers.s7.viewer());
         // A run that is over already has nothing to measure.
@@ -150,12 +151,14 @@ impl PreparedPage {
             desk: Arc::clone(desk),
             facts: Arc::clone(facts),
             reference,
+            projects,
             metrics: Box::new(text),
             access: self.access,
         };
         let no_thread = |error: io::Error| Failure::usage(Problem::P7102, format!("the page cannot be served: {error}"));
         let page = Page::start(self.listener, setup).map_err(no_thread)?;
         let served = ServedPage { page, tokens, _audit: self.audit };
+        facts.set_page(format!("http://{}/", served.address()));
         if self.opens == Opens::Yes {
             served.open();
         }

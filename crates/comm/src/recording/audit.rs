@@ -250,6 +250,39 @@ fn block_text(block: &BlockName) -> String {
     format!("{kind} {}", block.number)
 }
 
+/// The address of a variable as people spell it, `IW 0`, whatever it was written as; of more than a double word as an ANY pointer names it.
+pub(crate) fn address(variable: &Variable) -> String {
+    let Variable { area, size, count, address } = *variable;
+    let bytes = match size {
+        TransportSize::Bit => 0,
+        TransportSize::Byte | TransportSize::Char => 1,
+        TransportSize::Word | TransportSize::Int => 2,
+        TransportSize::DoubleWord | TransportSize::DoubleInt | TransportSize::Real => 4,
+        TransportSize::Timer | TransportSize::Counter => return object(variable),
+    };
+    let (byte, bit) = (address / 8, address % 8);
+    let width = match (bytes * u32::from(count), count) {
+        (0, 1) => None,
+        (1, _) if bit == 0 => Some('B'),
+        (2, _) if bit == 0 => Some('W'),
+        (4, _) if bit == 0 => Some('D'),
+        _ => return object(variable),
+    };
+    let area = match area {
+        VariableArea::DataBlock(number) => format!("DB{number}.DB"),
+        VariableArea::Peripheral => "P".to_owned(),
+        VariableArea::Input => "I".to_owned(),
+        VariableArea::Output => "Q".to_owned(),
+        VariableArea::BitMemory => "M".to_owned(),
+        VariableArea::Timer | VariableArea::Counter => return object(variable),
+    };
+    match width {
+        Some(width) => format!("{area}{width} {byte}"),
+        None if area.ends_with(".DB") => format!("{area}X {byte}.{bit}"),
+        None => format!("{area} {byte}.{bit}"),
+    }
+}
+
 /// A variable as an ANY pointer of STL names it: `P#DB1.DBX0.0 WORD 3`.
 fn object(variable: &Variable) -> String {
     let Variable { area, size, count, address } = variable;
@@ -374,6 +407,25 @@ mod tests {
         assert_eq!(lines, expected);
         let all = noted(Writes::All, |audit| (0..100).for_each(|value| audit.event(&write(80, value, 0), at(0))));
         assert_eq!(all.len(), 100);
+    }
+
+    #[test]
+    fn an_address_is_spelled_as_people_spell_it() {
+        use TransportSize::{Bit, Byte, Int, Real, Timer, Word};
+        use VariableArea::{BitMemory, DataBlock, Input, Output};
+        for (area, size, count, address, wanted) in [
+            (Input, Byte, 2, 0, "IW 0"),
+            (Input, Word, 1, 16, "IW 2"),
+            (BitMemory, Byte, 1, 80, "MB 10"),
+            (Output, Bit, 1, 35, "Q 4.3"),
+            (DataBlock(7), Real, 1, 32, "DB7.DBD 4"),
+            (DataBlock(7), Bit, 1, 33, "DB7.DBX 4.1"),
+            (DataBlock(7), Int, 2, 0, "DB7.DBD 0"),
+            (BitMemory, Byte, 6, 0, "P#M0.0 BYTE 6"),
+            (VariableArea::Timer, Timer, 1, 4, "T 4"),
+        ] {
+            assert_eq!(super::address(&Variable { area, size, count, address }), wanted);
+        }
     }
 
     #[test]

@@ -5,7 +5,7 @@ use std::net::{SocketAddr, TcpStream};
 use rustix::event::epoll::EventFlags;
 
 use super::sockets::{self, Input};
-use super::view::ConnectionView;
+use super::view::{ConnectionView, Written};
 use crate::recording::frames::Flow;
 use crate::s7comm::guard::Function;
 use crate::s7comm::session::Session;
@@ -28,6 +28,11 @@ pub(super) struct Connection {
     pub(super) heard_us: u64,
     /// What it asked for last.
     pub(super) last: Option<Function>,
+    /// How often it has read and written variables.
+    pub(super) reads: u64,
+    pub(super) writes: u64,
+    /// What it wrote last.
+    pub(super) written: Option<Written>,
     pub(super) bytes_in: u64,
     pub(super) bytes_out: u64,
     /// What it is in the recording.
@@ -62,6 +67,9 @@ impl Connection {
             since_us: self.since_us,
             partner: self.session.partner(),
             last: self.last,
+            reads: self.reads,
+            writes: self.writes,
+            written: self.written.clone(),
             pdu_bytes: self.session.pdu_bytes(),
             heard_us: self.heard_us,
             bytes_in: self.bytes_in,

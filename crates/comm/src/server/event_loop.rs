@@ -14,14 +14,14 @@ use sieben_workspace::gate::{PORTION_JOBS, PORTION_US};
 
 use super::connection::{Closing, Connection};
 use super::sockets::{self, Input, Poll};
-use super::view::Counters;
+use super::view::{Counters, Written};
 use super::{Common, Setup, WallClock};
 use crate::config::{CONNECTIONS_OF_ADDRESS_MAX, Config};
 use crate::recording::Recorders;
-use crate::recording::audit::{At, Audit, Change};
+use crate::recording::audit::{At, Audit, Change, address};
 use crate::recording::frames::Direction;
-use crate::s7comm::guard::{Rules, Writing};
-use crate::s7comm::session::{Session, Shared};
+use crate::s7comm::guard::{Function, Rules, Writing};
+use crate::s7comm::session::{Session, Shared, What};
 use crate::s7comm::wire::cotp::{self, Partner};
 use crate::s7comm::wire::tpkt;
 
@@ -40,6 +40,8 @@ const CLOSING_US: u64 = 1_000_000;
 const CLOSING_MAX: usize = 64;
 /// Shortest wait for a moment that has passed already, in microseconds: what is due is done in the next iteration, and no mistake makes it spin.
 const PATIENCE_US: u64 = 100;
+/// Bytes of what a client wrote last that are shown.
+const WRITTEN_BYTES_MAX: usize = 8;
 /// The reference of a client that has not said its own yet.
 const NO_REFERENCE: u16 = 0;
 
@@ -75,8 +77,9 @@ pub(super) struct EventLoop {
     told: Option<[u16; 3]>,
     /// The connection whose job comes first in the next entry of the gate.
     first: u64,
-    /// The last scan that has been seen.
+    /// The last scan that has been seen, and the time of the CPU then.
     scan: u64,
+    time_us: u64,
     counters: Counters,
     buffer: Box<[u8]>,
 }
@@ -118,6 +121,7 @@ impl EventLoop {
             told: None,
             first: 0,
             scan: 0,
+            time_us: 0,
             counters: Counters::default(),
             buffer: vec![0; INPUT_BYTES].into(),
         })
@@ -189,7 +193,12 @@ impl EventLoop {
                 if let (Some(frames), Some(flow)) = (&self.recorders.frames, &mut connection.flow) {
                     frames.bytes(flow, Direction::In, bytes, (self.clock)(), "");
                 }
+                let requests = &self.shared.requests;
+                let before = (requests.of(Function::Read), requests.of(Function::Write));
                 connection.session.receive(bytes, &mut self.shared, now_us);
+                let requests = &self.shared.requests;
+                connection.reads += requests.of(Function::Read).saturating_sub(before.0);
+                connection.writes += requests.of(Function::Write).saturating_sub(before.1);
                 connection.last = self.shared.requests.take_last().or(connection.last);
             }
             Input::Nothing => {}
@@ -253,6 +262,9 @@ impl EventLoop {
             since_us: now_us,
             heard_us: now_us,
             last: None,
+            reads: 0,
+            writes: 0,
+            written: None,
             bytes_in: 0,
             bytes_out: 0,
             flow,
@@ -298,10 +310,11 @@ impl EventLoop {
         let first = waiting.partition_point(|&number| number < self.first);
         waiting.rotate_left(first);
         let news = is_news.then(|| self.communication(partners));
-        let Self { gate, connections, shared, told, scan, .. } = self;
+        let Self { gate, connections, shared, told, scan, time_us, .. } = self;
         let mut done = 0;
         let entered = gate.serve(|plant| {
             *scan = plant.scans;
+            *time_us = plant.cpu.time_us();
             if let Some(communication) = news {
                 plant.cpu.set_communication(communication);
                 *told = Some(partners);
@@ -357,6 +370,12 @@ impl EventLoop {
         }
         let at = self.at(self.gate.now_us());
         for event in self.shared.events.drain(..) {
+            if let (What::Write(variable, bytes), 0, Some(scan)) = (&event.what, event.error, event.scan)
+                && let Some(connection) = self.connections.values_mut().find(|connection| connection.peer == event.peer)
+            {
+                let bytes = bytes.get(..WRITTEN_BYTES_MAX).unwrap_or(bytes).to_vec();
+                connection.written = Some(Written { address: address(variable), bytes, scan, time_us: self.time_us });
+            }
             if let Some(audit) = &mut self.recorders.audit {
                 audit.event(&event, at);
             }

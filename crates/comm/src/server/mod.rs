@@ -21,7 +21,7 @@ use crate::config::Config;
 use crate::recording::Recorders;
 use crate::s7comm::session::Shared;
 use event_loop::EventLoop;
-pub use view::{ConnectionView, Counters, View};
+pub use view::{ConnectionView, Counters, View, Written};
 
 /// The time of the computer in microseconds since 1970, for what is recorded.
 pub type WallClock = Box<dyn Fn() -> u64 + Send>;

@@ -15,6 +15,19 @@ pub struct View {
     pub counters: Counters,
 }
 
+/// A variable that a client has written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Written {
+    /// Its address as it is spelled in STL, `IW 0`; of more than a double word as a pointer, `P#I0.0 BYTE 6`.
+    pub address: String,
+    /// What was written, the first bytes of it.
+    pub bytes: Vec<u8>,
+    /// How many scans had ended.
+    pub scan: u64,
+    /// The time of the CPU in microseconds.
+    pub time_us: u64,
+}
+
 /// A connection.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ConnectionView {
@@ -28,6 +41,12 @@ pub struct ConnectionView {
     pub partner: Option<Partner>,
     /// What it asked for last.
     pub last: Option<Function>,
+    /// How often it has read variables.
+    pub reads: u64,
+    /// How often it has written variables.
+    pub writes: u64,
+    /// What it wrote last.
+    pub written: Option<Written>,
     /// How long its PDUs are; `None` before the setup.
     pub pdu_bytes: Option<usize>,
     /// When bytes came last, in microseconds of the gate's clock.

@@ -54,6 +54,11 @@ impl Cpu {
         StopRequest(Arc::clone(&self.requests))
     }
 
+    /// This CPU takes the place of another one: what is asked of that one from other threads is asked of this one from now on.
+    pub fn take_requests_of(&mut self, other: &Self) {
+        self.requests = Arc::clone(&other.requests);
+    }
+
     /// The same at a request from outside.
     pub(super) fn stop_for(&mut self, by: Requester) {
         let (data_id, info_2) = by.fields(self.class.info_2);

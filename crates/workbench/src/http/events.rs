@@ -57,7 +57,7 @@ pub(super) fn stream(shared: &Arc<Shared>, from: &From<'_>, method: &Method) -> 
 
 /// Looks for what happens until the client goes or the run is over.
 async fn watch(shared: &Arc<Shared>, events: &mpsc::Sender<String>) {
-    let (mut mode, mut program, mut entry): (String, Option<String>, Option<u64>) = Default::default();
+    let (mut mode, mut program, mut entry): (String, Option<String>, Option<(u64, u64)>) = Default::default();
     let mut silent = Duration::ZERO;
     loop {
         let asked = Arc::clone(shared);
@@ -67,11 +67,13 @@ async fn watch(shared: &Arc<Shared>, events: &mpsc::Sender<String>) {
             let mut control = Control::new(Arc::clone(&hub.facts));
             let state = control.answer(&hub.gate, &hub.desk, &Request::State);
             let Ok(Answer::State(state)) = state else { return None };
+            // Another CPU counts its entries anew.
+            let after = after.map(|(run, after)| if run == state.run { after } else { 0 });
             let new = after.filter(|&after| state.newest_entry > after);
             let entries = new.map(|after| control.answer(&hub.gate, &hub.desk, &Request::Diagnostics { after }));
-            Some((state, entries, hub.program().hash()))
+            Some((state, entries, hub.program().hash(), asked.projects.listed().name))
         });
-        let Ok(Some((state, entries, hash))) = looked.await else {
+        let Ok(Some((state, entries, hash, project))) = looked.await else {
             let _ = events.try_send(named("bye", &json!({ "why": "P7094", "text": "the run is over" })));
             return;
         };
@@ -82,13 +84,13 @@ async fn watch(shared: &Arc<Shared>, events: &mpsc::Sender<String>) {
             mode = now;
         }
         if program.as_ref() != Some(&hash) {
-            said.push(named("program", &json!({ "hash": hash })));
+            said.push(named("program", &json!({ "hash": hash, "project": project })));
             program = Some(hash);
         }
         if let Some(Ok(answer @ Answer::Diagnostics(_))) = &entries {
             said.push(named("diagnostics", &serde_json::Value::Object(answer.fields())));
         }
-        entry = Some(state.newest_entry);
+        entry = Some((state.run, state.newest_entry));
         silent = if said.is_empty() { silent + LOOK } else { Duration::ZERO };
         if silent >= SIGN {
             silent = Duration::ZERO;

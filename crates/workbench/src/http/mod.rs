@@ -3,6 +3,7 @@
 mod api;
 mod assets;
 mod book;
+mod connections;
 mod events;
 mod limits;
 mod openapi;
@@ -14,13 +15,15 @@ mod socket;
 
 use std::net::SocketAddr;
 use std::sync::Arc;
+use std::time::Duration;
 
 use axum::body::{Body, Bytes};
-use axum::extract::{ConnectInfo, FromRequestParts, Request, State, WebSocketUpgrade};
+use axum::extract::{FromRequestParts, Request, WebSocketUpgrade};
 use axum::http::{HeaderMap, Method, Response, StatusCode, header, request::Parts};
 use sieben_model::problems::Problem;
 use sieben_workspace::Refusal;
 
+pub(crate) use connections::serve;
 pub(crate) use limits::Limits;
 
 use crate::access::{Credentials, Denied, Role};
@@ -29,6 +32,9 @@ use query::Query;
 
 /// Longest body of a request, in bytes.
 const BODY_BYTES_MAX: usize = 64 * 1024;
+
+/// How long the body of a request may take.
+const BODY_WAIT_MAX: Duration = Duration::from_secs(10);
 
 /// A request with who sends it.
 struct From<'r> {
@@ -39,11 +45,7 @@ struct From<'r> {
 }
 
 /// Answers any request.
-pub(crate) async fn answer(
-    State(shared): State<Arc<Shared>>,
-    ConnectInfo(peer): ConnectInfo<SocketAddr>,
-    request: Request,
-) -> Response<Body> {
+async fn answer(shared: Arc<Shared>, peer: SocketAddr, request: Request) -> Response<Body> {
     let (parts, body) = request.into_parts();
     let mut response = match answered(&shared, peer, parts, body).await {
         Ok(response) => response,
@@ -115,9 +117,10 @@ fn role(shared: &Shared, headers: &HeaderMap, query: &Query) -> Result<Role, Den
 }
 
 async fn body_bytes(body: Body) -> Result<Bytes, Refusal> {
-    axum::body::to_bytes(body, BODY_BYTES_MAX)
-        .await
-        .map_err(|_| Refusal::new(Problem::P7130, format!("a request has at most {BODY_BYTES_MAX} bytes")))
+    let too_long = |_| Refusal::new(Problem::P7130, format!("a request has at most {BODY_BYTES_MAX} bytes"));
+    let bytes = tokio::time::timeout(BODY_WAIT_MAX, axum::body::to_bytes(body, BODY_BYTES_MAX));
+    let late = |_| Refusal::new(Problem::P7131, format!("the body of a request comes within {} seconds", BODY_WAIT_MAX.as_secs()));
+    bytes.await.map_err(late)?.map_err(too_long)
 }
 
 /// The numbers of the run, as Prometheus takes them.

@@ -14,11 +14,11 @@ pub(super) fn status(problem: Problem) -> StatusCode {
         Problem::P7135 => StatusCode::MISDIRECTED_REQUEST,
         Problem::P7136 => StatusCode::TOO_MANY_REQUESTS,
         Problem::P7138 => StatusCode::METHOD_NOT_ALLOWED,
-        Problem::P7003 | Problem::P7095 | Problem::P7137 | Problem::P7139 => StatusCode::NOT_FOUND,
-        Problem::P7093 => StatusCode::CONFLICT,
+        Problem::P7003 | Problem::P7095 | Problem::P7137 | Problem::P7139 | Problem::P7147 => StatusCode::NOT_FOUND,
+        Problem::P7093 | Problem::P7145 => StatusCode::CONFLICT,
         Problem::P7092 | Problem::P7130 => StatusCode::PAYLOAD_TOO_LARGE,
         Problem::P7094 => StatusCode::SERVICE_UNAVAILABLE,
-        Problem::P7004 | Problem::P7125 | Problem::P7126 | Problem::P6272 => StatusCode::UNPROCESSABLE_ENTITY,
+        Problem::P7004 | Problem::P7125 | Problem::P7126 | Problem::P7146 | Problem::P6272 => StatusCode::UNPROCESSABLE_ENTITY,
         _ => StatusCode::BAD_REQUEST,
     }
 }

@@ -9,13 +9,16 @@ use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
 use sieben_workspace::Refusal;
 use sieben_workspace::control::answer::Answer;
+use sieben_workspace::control::changes::Change;
 use sieben_workspace::control::{Control, Request, parse};
 use sieben_workspace::project::Build;
+use sieben_workspace::watch_table::{self, Row};
 
 use super::query::Query;
 use crate::access::Role;
 use crate::forces::{REASON_BYTES_MAX, Reason};
 use crate::past::{self, Written};
+use crate::projects::PROJECT;
 use crate::reference::View;
 use crate::server::Shared;
 
@@ -122,6 +125,10 @@ pub(super) const ROUTES: &[Route] = &[
     get("faults", "The plants with their signals and faults.", |asked| asked.verb("faults")),
     change(Method::Post, "faults", "A signal of a plant fails, or is mended.", Some(r#"{"inject":"tank.level stuck=0"}"#), faults),
     Route { query: &[Parameter { name: "from", about: "the first scan" }, Parameter { name: "to", about: "the last scan" }, Parameter { name: "channels", about: "names, separated by commas" }, Parameter { name: "format", about: "`csv`, `vcd` or `svg`" }], ..get("trace", "Values of scans of the past.", trace) },
+    get("project", "The project that runs, and the examples that may run instead.", |asked| Ok(Reply::Json(asked.shared.projects.listed().json()))),
+    change(Method::Post, "project", "Another example runs from now on, with a CPU of its own.", Some(r#"{"example":"star-delta"}"#), project),
+    get("watch", "The names of the watch tables of the project.", |asked| asked.shared.projects.watch_tables().map(|names| Reply::Json(json!(names)))),
+    get("watch/{file}", "The rows of a watch table.", watch_table),
     get("info", "What the run is: its CPU and its servers.", info),
 ];
 
@@ -348,6 +355,23 @@ fn trace(asked: &Asked<'_>) -> Result<Reply, Refusal> {
     let &(_, written, kind) = known.ok_or_else(|| wrong("`format` is `csv`, `vcd` or `svg`"))?;
     let text = past::trace(&asked.shared.hub, (scan("from")?, scan("to")?), asked.query.get("channels").unwrap_or_default(), written)?;
     Ok(Reply::Text(kind, text))
+}
+
+/// `{"example":"star-delta"}`.
+fn project(asked: &Asked<'_>) -> Result<Reply, Refusal> {
+    let example = asked.text("example").ok_or_else(|| wrong("write `{\"example\": \"star-delta\"}`"))?;
+    let (projects, facts) = (&asked.shared.projects, &asked.shared.hub.facts);
+    let changed = projects.change(example);
+    let refused = changed.as_ref().err().map(|refusal| refusal.problem.code());
+    facts.tell(&asked.peer, Change { what: PROJECT, object: Some(shortened(example)), value: None, scan: None, refused });
+    changed.map(|()| Reply::Json(projects.listed().json()))
+}
+
+fn watch_table(asked: &Asked<'_>) -> Result<Reply, Refusal> {
+    let name = asked.captured.first().map_or("", String::as_str);
+    let rows = watch_table::parse(name, &asked.shared.projects.watch_table(name)?)?;
+    let row = |row: Row| json!({ "name": row.name, "format": row.format, "comment": row.comment });
+    Ok(Reply::Json(rows.into_iter().map(row).collect()))
 }
 
 fn info(asked: &Asked<'_>) -> Result<Reply, Refusal> {

@@ -51,6 +51,8 @@ pub(super) fn upgrade(upgrade: WebSocketUpgrade, shared: Arc<Shared>, peer: Sock
             let _ = timeout(LOOK_AGAIN, socket.send(Message::Text(bye(&refusal).into()))).await;
         }
         let _ = timeout(LOOK_AGAIN, socket.send(Message::Close(None))).await;
+        // What the page has sent meanwhile is taken in: a connection that ends with something unread loses what was said last.
+        let _ = timeout(LOOK_AGAIN, async { while let Some(Ok(_)) = socket.recv().await {} }).await;
     })
 }
 
@@ -94,7 +96,9 @@ async fn serve(socket: &mut WebSocket, shared: &Arc<Shared>, page: u64, role: Ro
         Err(_) => return Err(Refusal::new(Problem::P7131, "a page says `hello` within ten seconds")),
     };
     client.hear(&first, hub.gate.now_us())?;
-    if send(socket, welcome(shared, role)).await.is_err() {
+    let asked = Arc::clone(shared);
+    let (mut run, text) = blocking(move || welcome(&asked, role)).await?;
+    if send(socket, text).await.is_err() {
         return Ok(());
     }
     loop {
@@ -129,6 +133,19 @@ async fn serve(socket: &mut WebSocket, shared: &Arc<Shared>, page: u64, role: Ro
                     return Err(over());
                 }
                 let newest = newest(&mut looks)?;
+                if newest.program.facts.run != run {
+                    let asked = Arc::clone(shared);
+                    let text;
+                    (run, text) = blocking(move || welcome(&asked, role)).await?;
+                    views = Views { at: None, replayer: Arc::default() };
+                    past = None;
+                    let moved = client.moves(&newest.program, &shared.projects.listed().name);
+                    hub.wanted.set(page, Some(client.wanted(&newest.program)));
+                    if send(socket, moved).await.is_err() || send(socket, text).await.is_err() {
+                        return Ok(());
+                    }
+                    continue;
+                }
                 let is_known = client.knows(&views.at);
                 let (shot, live, refusal) = match (&past, is_known) {
                     // A scan of the past does not change; only how the run goes does.
@@ -177,18 +194,19 @@ async fn tell(socket: &mut WebSocket, client: &mut Client, (shot, live): (&Shot,
     })
 }
 
-/// What a page is sent first.
-fn welcome(shared: &Shared, role: Role) -> String {
+/// What a page is sent first, and which CPU of the run that is about.
+fn welcome(shared: &Shared, role: Role) -> (u64, String) {
     let hub = &shared.hub;
     let program = hub.program();
     let head = hub.gate.look(|plant| (plant.cpu.cpu_type().name, plant.scans, plant.pace.cycle_us));
     let (cpu, scans, cycle_us) = head.unwrap_or_default();
     let oldest = hub.desk.past().range().map_or(scans, |(first, _)| first.scan.min(scans));
-    json!({
-        "t": "welcome", "v": 1, "cpu": cpu, "project": program.facts.project.as_deref().unwrap_or("Sieben"), "program": program.hash(),
-        "role": role.word(), "oldest": oldest, "newest": scans, "cycle_us": cycle_us, "mnemonics": "en",
-    })
-    .to_string()
+    let project = shared.projects.listed();
+    let text = json!({
+        "t": "welcome", "v": 1, "cpu": cpu, "project": project.name, "program": program.hash(), "role": role.word(),
+        "oldest": oldest, "newest": scans, "cycle_us": cycle_us, "mnemonics": "en", "examples": project.names(),
+    });
+    (program.facts.run, text.to_string())
 }
 
 /// What a page sees of the past; it has a CPU of its own for that.

@@ -185,7 +185,7 @@ impl Client {
         Some(self.sent_us.map_or(0, |sent| sent.saturating_add(between)))
     }
 
-    /// Another program runs than the page knows: what it is sent then.
+    /// Another program runs than the page knows, on the same CPU: what it is sent then.
     pub fn meets(&mut self, shot: &Shot) -> Option<String> {
         let version = shot.program.version;
         let before = self.program.replace(version)?;
@@ -193,6 +193,14 @@ impl Client {
             self.forget();
             json!({ "t": "program", "hash": shot.program.hash(), "changed": [] }).to_string()
         })
+    }
+
+    /// Another project runs from now on: what the page is sent before it is welcomed anew. It has no subscriptions any more.
+    pub fn moves(&mut self, program: &super::program::Known, project: &str) -> String {
+        self.subscriptions.clear();
+        self.forget();
+        self.program = Some(program.version);
+        json!({ "t": "program", "hash": program.hash(), "changed": [], "project": project }).to_string()
     }
 
     /// The message for a scan; `None` if it is not yet time for one, or there is nothing to say.

@@ -51,6 +51,10 @@ pub enum Answer {
 pub struct State {
     /// The name of the project, if it has one.
     pub project: Option<String>,
+    /// Where the page of the run is, if it has one.
+    pub page: Option<String>,
+    /// How many CPUs took the place of the first one.
+    pub run: u64,
     /// How many programs took over from the first one.
     pub version: u64,
     /// The CPU type.
@@ -293,7 +297,10 @@ fn place_fields(object: &mut Json, place: Option<&Placed>) {
 fn client_json(client: &Client) -> Json {
     json!({
         "protocol": client.protocol, "peer": client.peer, "partner": client.partner, "connected_ms": milliseconds(client.for_us),
-        "last": client.last, "pdu": client.pdu_bytes,
+        "last": client.last, "pdu": client.pdu_bytes, "reads": client.reads, "writes": client.writes,
+        "written": client.written.as_ref().map(|last| {
+            json!({ "name": last.name, "shown": last.value, "scan": last.scan, "time_ms": milliseconds(last.time_us) })
+        }),
     })
 }
 
@@ -302,7 +309,7 @@ impl State {
         let cycle = &self.cycle;
         let forced = self.forced.iter().map(|(name, value)| json!({ "name": name, "shown": value })).collect::<Json>();
         json!({
-            "project": self.project, "version": self.version, "cpu": self.cpu, "mode": self.mode.to_string(), "stop": self.stop.as_ref().map(Stop::json),
+            "project": self.project, "page": self.page, "run": self.run, "version": self.version, "cpu": self.cpu, "mode": self.mode.to_string(), "stop": self.stop.as_ref().map(Stop::json),
             "scans": self.scans, "time_ms": milliseconds(self.time_us), "clock": self.clock,
             "cycle_ms": { "last": milliseconds(cycle.last), "min": milliseconds(cycle.min), "max": milliseconds(cycle.max) },
             "execution_ms": { "last": milliseconds(cycle.execution_last), "max": milliseconds(cycle.execution_max) },

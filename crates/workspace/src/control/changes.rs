@@ -7,7 +7,7 @@ use crate::refusal::Refusal;
 /// Something that a request has changed, or was refused to change.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Change {
-    /// What was done: `write`, `press`, `force`, `unforce`, `stop`, `start`, `memory_reset`, `fault`, `fault_end`.
+    /// What was done: `write`, `press`, `force`, `unforce`, `stop`, `start`, `memory_reset`, `fault`, `fault_end`, `project`.
     pub what: &'static str,
     /// To what, as it was named.
     pub object: Option<String>,

@@ -22,6 +22,8 @@ use crate::project::Build;
 /// A program as people know it.
 #[derive(Clone, Debug, Default)]
 pub struct Facts {
+    /// Which CPU of the run it is in, from 0: [another one](crate::exchange) may take the place of the first.
+    pub run: u64,
     /// The name of the project, if it has one.
     pub project: Option<String>,
     /// Its symbols.
@@ -246,6 +248,25 @@ pub struct Client {
     pub last: Option<&'static str>,
     /// How long its PDUs are, once it is set up.
     pub pdu_bytes: Option<usize>,
+    /// How often it has read values.
+    pub reads: u64,
+    /// How often it has written values.
+    pub writes: u64,
+    /// What it wrote last.
+    pub written: Option<LastWrite>,
+}
+
+/// The last write of a client.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LastWrite {
+    /// To what, as people spell it: `IW 0`.
+    pub name: String,
+    /// What, as people read it.
+    pub value: String,
+    /// How many scans had ended.
+    pub scan: u64,
+    /// The time of the CPU in microseconds.
+    pub time_us: u64,
 }
 
 /// Tells the clients of all servers.
@@ -261,6 +282,8 @@ pub struct CurrentFacts {
     connections: AtomicUsize,
     /// Who is connected to servers, if there are any.
     clients: OnceLock<Clients>,
+    /// Where the page of the run is.
+    page: OnceLock<String>,
     /// Hear what requests change.
     listeners: Mutex<Vec<Listener>>,
 }
@@ -282,8 +305,18 @@ impl CurrentFacts {
 
     /// Another program runs from now on. To be called at the cycle control point where it took over.
     pub fn replace(&self, facts: Facts) {
-        let facts = Arc::new(facts);
-        *self.facts.lock().unwrap_or_else(PoisonError::into_inner) = facts;
+        let run = self.facts().run;
+        self.put(Facts { run, ..facts });
+    }
+
+    /// Another CPU runs from now on.
+    pub(crate) fn begin_anew(&self, facts: Facts) {
+        let run = self.facts().run + 1;
+        self.put(Facts { run, ..facts });
+    }
+
+    fn put(&self, facts: Facts) {
+        *self.facts.lock().unwrap_or_else(PoisonError::into_inner) = Arc::new(facts);
         self.version.fetch_add(1, Ordering::AcqRel);
     }
 
@@ -309,9 +342,25 @@ impl CurrentFacts {
         let _ = self.clients.set(clients);
     }
 
+    /// From now on the run has a page, at this address; what was said first holds.
+    pub fn set_page(&self, address: String) {
+        // The second call has nothing to add.
+        let _ = self.page.set(address);
+    }
+
+    /// Where the page of the run is, if it has one.
+    pub fn page(&self) -> Option<String> {
+        self.page.get().cloned()
+    }
+
     /// From now on this hears what requests change.
     pub fn add_listener(&self, listener: Listener) {
         self.listeners.lock().unwrap_or_else(PoisonError::into_inner).push(listener);
+    }
+
+    /// Tells of a change that no request of the control socket makes.
+    pub fn tell(&self, peer: &str, change: Change) {
+        self.tell_changes(peer, || vec![change]);
     }
 
     /// Tells what a request of a peer has changed.

@@ -17,7 +17,7 @@ use std::time::Duration;
 
 pub use answer::{Answer, line};
 use answer::{Blocks, Changes, Diagnostics, Done, Entry, Mode, State, Stop, Time, Values};
-pub use facts::{Client, Clients, Connection, CurrentFacts, Facts};
+pub use facts::{Client, Clients, Connection, CurrentFacts, Facts, LastWrite};
 use request::shortened;
 pub use request::{FaultChange, LINE_BYTES_MAX, ModeChange, Request, TimeChange, Wait, parse, too_long};
 use sieben_cpu::communication::Requester;
@@ -245,6 +245,8 @@ impl Control {
             let cpu = &plant.cpu;
             let state = State {
                 project: None,
+                page: None,
+                run: self.facts.run,
                 version: self.version,
                 cpu: cpu.cpu_type().name,
                 mode: cpu.mode(),
@@ -265,6 +267,7 @@ impl Control {
             (state, cause, cpu.forced().bytes().collect::<Vec<_>>())
         })?;
         state.project.clone_from(&self.facts.project);
+        state.page = self.current.page();
         state.connections = self.current.connections();
         state.clients = self.current.clients();
         state.stop = cause.map(|cause| Stop {

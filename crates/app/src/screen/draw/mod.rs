@@ -29,6 +29,8 @@ use layout::Panel;
 pub(crate) const MIN_WIDTH: u16 = 80;
 /// Its height.
 pub(crate) const MIN_HEIGHT: u16 = 24;
+/// Columns of the first line that are left free for a time and a speed that grow.
+const SPARE_COLUMNS: usize = 12;
 /// Rows of the cause of a STOP at most.
 const STOP_ROWS: u16 = 3;
 
@@ -99,7 +101,7 @@ impl Scene<'_> {
             left.push(Span::raw(format!(" {}  ", fitted(project, usize::from(area.width / 4)))));
         }
         left.push(Span::styled("│ ", palette.faint()));
-        left.push(Span::raw(format!("CPU {}  ", look.word("cpu"))));
+        let at = left.len();
         let has_failed = look.state["stop"]["event"].as_str().is_some_and(|event| !event.starts_with("16#43"));
         let is_forced = look.state["forced_count"].as_u64().unwrap_or_default() > 0;
         for (word, lit, colour) in [
@@ -114,7 +116,6 @@ impl Scene<'_> {
         if !matches!(mode, "RUN" | "STOP" | "") {
             left.push(Span::styled(mode.to_owned(), palette.colour(Color::Yellow)));
         }
-        frame.render_widget(Paragraph::new(Line::from(left)), area);
         // `10x` is a factor, `max` a word.
         let speed = look.word("speed");
         let speed = match speed.strip_suffix('x') {
@@ -122,7 +123,7 @@ impl Scene<'_> {
             _ => speed.to_owned(),
         };
         let speed = if look.is_paused() { format!("{}, {speed}", self.screen.word(words::PAUSED)) } else { speed };
-        let auto = self.screen.story.as_ref().is_some_and(|story| story.is_on.load(Ordering::Relaxed));
+        let auto = self.screen.story.as_ref().is_some_and(|story| story.is_on.load(Ordering::Relaxed) && story.has_plant.load(Ordering::Relaxed));
         let auto = if auto { format!("{}  ", self.screen.word(words::AUTO)) } else { String::new() };
         let right = Line::from(vec![
             Span::styled(format!(" {auto}"), palette.faint()),
@@ -130,6 +131,19 @@ impl Scene<'_> {
             Span::styled(format!("{speed} "), bold),
         ]);
         let width = u16::try_from(right.width()).unwrap_or(area.width).min(area.width);
+        // Where the page is stands there as it fits, rather than which CPU it is.
+        let (cpu, page) = (look.word("cpu"), look.word("page"));
+        let short = page.trim_start_matches("http://").trim_end_matches('/');
+        let room = usize::from(area.width - width).saturating_sub(left.iter().map(Span::width).sum());
+        let texts = match page {
+            "" => vec![format!("CPU {cpu}  ")],
+            _ => vec![format!("CPU {cpu}  {page}  "), format!("CPU {cpu}  {short}  "), format!("{short}  ")],
+        };
+        // What stands to the right of it grows; the whole address is there only where it need not become shorter then.
+        let fits = |(index, text): &(usize, String)| columns(text) + if *index == 0 { SPARE_COLUMNS } else { 0 } <= room;
+        let text = texts.into_iter().enumerate().find(fits).map_or_else(|| format!("CPU {cpu}  "), |(_, text)| text);
+        left.insert(at, Span::raw(text));
+        frame.render_widget(Paragraph::new(Line::from(left)), area);
         frame.render_widget(Paragraph::new(right), Rect { x: area.right() - width, width, ..area });
     }
 
