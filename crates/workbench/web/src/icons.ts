@@ -40,6 +40,7 @@ export const ICONS = {
   unplug: '<path d="m2 14 3-3M5 7l4 4M4.5 6.5l5 5M11 2 8.5 4.5M14 5l-2.5 2.5M6.5 5.5l4-1 1 1-1 4"/>',
   split: '<path d="M8 2v12M2 4h3v8H2M14 4h-3v8h3"/>',
   undo: '<path d="M3 6h6.5a3.5 3.5 0 0 1 0 7H6M3 6l3-3M3 6l3 3"/>',
+  clock: '<circle cx="8" cy="8" r="5.5"/><path d="M8 4.5V8l2.5 1.5"/>',
   target: '<circle cx="8" cy="8" r="5.5"/><path d="M8 1v4M8 11v4M1 8h4M11 8h4"/>',
 } as const;
 export type IconName = keyof typeof ICONS;

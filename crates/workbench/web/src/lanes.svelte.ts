@@ -29,6 +29,7 @@ export class Lanes {
     this.#asking = true;
     try {
       const got = await page.history(ask[0], ask[1], channels, POINTS);
+      if (got === null) return;
       const before = known && this.to >= 0 && ask[0] <= this.to + 1;
       const next: Record<string, [number, number][]> = {};
       for (const name of channels) {

@@ -1,5 +1,5 @@
 /** The REST client: what is not live, and what writes. */
-import type { Force, Language } from './wire';
+import type { Client, Force, Language } from './wire';
 
 export interface BlockHead {
   /** `OB1`, as ids and addresses write it. */
@@ -196,6 +196,7 @@ export const rest = {
   assignments: () => call<Assignments>('GET', 'assignments'),
   structure: () => call<Structure>('GET', 'structure'),
   plants: () => call<PlantHead[]>('GET', 'plants'),
+  clients: () => call<Client[]>('GET', 'clients'),
   info: () => call<Info>('GET', 'info'),
   about: (op: string) => call<{ text: string }>('GET', `explain/${name(op)}`),
   watch: (file: string) => call<WatchRow[]>('GET', `watch/${name(file)}`),

@@ -24,7 +24,8 @@ const order = (change: Change): number => (/^P?I/.test(change.address) ? 0 : /^C
 export function sentence(changes: Change[], scan: number): Part[] {
   const newest = changes.find((change) => change.n <= scan);
   if (newest === undefined) return [{ text: t('nothingYet') }];
-  const together = changes.filter((change) => change.n === newest.n).reverse().sort((a, b) => order(a) - order(b));
+  if (newest.note !== undefined) return [{ text: `${t('scan')} ${count(newest.n)}: ${newest.note}.` }];
+  const together = changes.filter((change) => change.n === newest.n && change.note === undefined).reverse().sort((a, b) => order(a) - order(b));
   const parts: Part[] = [{ text: `${t('scan')} ${count(newest.n)}: ` }];
   const named = together.slice(0, NAMED);
   named.forEach((change, i) => {

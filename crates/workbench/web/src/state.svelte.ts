@@ -9,6 +9,10 @@ type Handler = (data: unknown, scan: Scan) => void;
 
 /** How many changes the page keeps. */
 const CHANGES = 200;
+/** A question that has no answer by then gets none. */
+const ANSWER_MS = 5000;
+/** Values are stale when they are older than this. */
+const STALE_MS = 2000;
 
 export interface Selected {
   block: string;
@@ -23,19 +27,17 @@ export interface Selected {
 
 class Page {
   link = $state<'connecting' | 'up' | 'down'>('connecting');
+  /** Since when nothing was heard, in the time of `performance.now()`; 0 while connected. */
   lostAt = $state(0);
-  clock = $state(0);
+  clock = $state(performance.now());
+  /** When the page last saw time go on, or stand because it was asked to. */
+  #freshAt = $state(performance.now());
   project = $state('');
   cpu = $state('');
   programHash = $state('');
   role = $state<'program' | 'view'>('program');
   cycleUs = $state(10_000);
   examples = $state<string[]>([]);
-  offers = $state.raw<string[]>([]);
-  /** Steps statements where the server does not; set by the block that is shown. */
-  stepper: ((unit: Unit, n: 1 | -1) => void) | null = null;
-  /** The scan whose statements the page itself steps through. */
-  stepped = -1;
   /** Grows when what REST gives has to be asked for anew. */
   revision = $state(0);
 
@@ -74,6 +76,8 @@ class Page {
   announcement = $state('');
   /** What the page was asked to open: palette, keys, force dialog. */
   dialog = $state<'' | 'palette' | 'keys' | 'force'>('');
+  /** On narrow screens the reasons are in a drawer. */
+  drawer = $state(false);
   forceWanted = $state('');
   forceValue = $state('');
 
@@ -94,11 +98,13 @@ class Page {
     if (this.state === 'startup') return t('offStartup');
     return '';
   });
+  /** For how many seconds one scan has been running; 0 while scans come as they should. */
+  waits: number = $derived(this.link !== 'down' && this.clock - this.#freshAt > STALE_MS ? Math.floor((this.clock - this.#freshAt) / 1000) : 0);
   offlineFor: number = $derived(this.lostAt === 0 ? 0 : Math.max(0, Math.round((this.clock - this.lostAt) / 1000)));
 
   #wire: Wire | null = null;
   #handlers = new Map<string, { subscription: Subscription; handler: Handler }>();
-  #questions = new Map<string, (answer: FromServer) => void>();
+  #questions = new Map<string, (answer: FromServer | null) => void>();
   #tagCounts = new Map<string, number>();
   #tagTimer = false;
   #next = 0;
@@ -123,19 +129,20 @@ class Page {
     this.#wire = new Wire(url.toString(), {
       opened: () => this.#send({ t: 'hello', v: 1, lang: speech.lang, mnemonics: this.mnemonics }),
       message: (message) => this.#take(message),
-      closed: () => {
+      closed: (_wait, _why, since) => {
         if (this.link !== 'down') {
-          this.lostAt = performance.now();
-          this.clock = this.lostAt;
+          this.lostAt = since;
+          this.clock = performance.now();
           this.announce(t('connOffline'));
         }
         this.link = 'down';
+        for (const answer of this.#questions.values()) answer(null);
+        this.#questions.clear();
       },
     });
     this.#wire.connect();
-    setInterval(() => {
-      if (this.link === 'down') this.clock = performance.now();
-    }, 500);
+    setInterval(() => (this.clock = performance.now()), 500);
+    document.addEventListener('visibilitychange', () => (this.#freshAt = performance.now()));
     addEventListener('pagehide', () => this.#wire?.end());
   }
 
@@ -158,11 +165,14 @@ class Page {
       case 'history':
       case 'who':
         this.#questions.get(message.id)?.(message);
-        this.#questions.delete(message.id);
         break;
       case 'program':
         this.programHash = message.hash;
-        if (message.project !== undefined) this.project = message.project;
+        if (message.project !== undefined) {
+          // Another CPU: nothing of this one holds there.
+          this.project = message.project;
+          this.tags.clear();
+        }
         this.selected = null;
         this.changes = [];
         this.#load();
@@ -177,6 +187,7 @@ class Page {
 
   #welcome(message: Welcome): void {
     const known = this.programHash;
+    if (this.lostAt > 0) this.say(t('backAgain', this.offlineFor));
     this.link = 'up';
     this.lostAt = 0;
     this.project = message.project;
@@ -184,8 +195,6 @@ class Page {
     this.role = message.role;
     this.cycleUs = message.cycle_us;
     this.examples = message.examples ?? [];
-    this.offers = message.offers ?? [];
-    this.stepped = -1;
     this.oldest = message.oldest;
     this.newest = message.newest;
     this.following = true;
@@ -199,6 +208,7 @@ class Page {
 
   #scan(message: Scan): void {
     const mode = this.mode;
+    if (this.us !== message.t_us || message.paused || !message.live || message.mode === 'stop') this.#freshAt = performance.now();
     this.n = message.n;
     this.us = message.t_us;
     this.mode = message.mode;
@@ -211,7 +221,7 @@ class Page {
     this.why = message.why ?? '';
     const reason = message.pos?.reason;
     if (reason !== undefined && reason !== this.pos?.reason) this.announce(reason);
-    if (this.stepped !== message.n && (message.pos !== undefined || this.pos !== undefined)) this.pos = message.pos;
+    this.pos = message.pos;
     if (mode !== message.mode) {
       this.announce(message.mode.toUpperCase());
       if (message.mode === 'stop') this.stopScan = message.n;
@@ -248,7 +258,6 @@ class Page {
   }
 
   #subscribe(id: string, subscription: Subscription): void {
-    if (subscription.what === 'flow' && !this.offers.includes('flow')) return;
     this.#send({ t: 'sub', id, ...subscription });
   }
 
@@ -287,36 +296,36 @@ class Page {
     else this.#send({ t: 'sub', id: 'tags', what: 'tags', names });
   }
 
-  history(from: number, to: number, channels: string[], points: number): Promise<History> {
+  /** Nothing where the connection ended, or the server does not say. */
+  history(from: number, to: number, channels: string[], points: number): Promise<History | null> {
     const id = this.id('h');
-    return new Promise((resolve) => {
-      this.#questions.set(id, (answer) => resolve(answer as History));
-      this.#send({ t: 'history', id, from, to, channels, points });
-    });
+    return this.#asks(id, { t: 'history', id, from, to, channels, points });
   }
 
-  who(name: string): Promise<Who> {
+  who(name: string): Promise<Who | null> {
     const id = this.id('w');
+    return this.#asks(id, { t: 'who', id, name, scan: this.n });
+  }
+
+  #asks<T extends FromServer>(id: string, question: Parameters<Wire['send']>[0]): Promise<T | null> {
     return new Promise((resolve) => {
-      this.#questions.set(id, (answer) => resolve(answer as Who));
-      this.#send({ t: 'who', id, name, scan: this.n });
+      const answer = (given: FromServer | null) => {
+        this.#questions.delete(id);
+        resolve(given as T | null);
+      };
+      this.#questions.set(id, answer);
+      setTimeout(() => answer(null), ANSWER_MS);
+      this.#send(question);
     });
   }
 
   // time
-  goTo(scan: number | 'live', stepping = false): void {
-    if (!stepping && this.stepped >= 0) {
-      this.stepped = -1;
-      this.pos = undefined;
-    }
+  goTo(scan: number | 'live'): void {
     this.#send({ t: 'at', scan: scan === 'live' ? 'live' : Math.max(this.oldest, Math.min(this.newest, Math.round(scan))) });
   }
 
   step(unit: Unit, n: 1 | -1): void {
-    if (unit === 'scan' || this.offers.includes('step')) {
-      this.stepped = -1;
-      this.#send({ t: 'at', step: unit, n });
-    } else this.stepper?.(unit, n);
+    this.#send({ t: 'at', step: unit, n });
   }
 
   async pause(): Promise<void> {

@@ -16,6 +16,7 @@ export type Row = [number, 0 | 1 | 2, number, number, number, string?];
 /** `[element, flow, value]`; `net` of a wire, or the id of an element; flow after it: 1, 0, "not-run", "unknown". */
 export type Flow = [string, string | number, string];
 
+/** A value that became another, or a note about the CPU; never both. */
 export interface Change {
   /** Scan at whose end the value was another. */
   n: number;
@@ -23,6 +24,8 @@ export interface Change {
   address: string;
   from: string;
   to: string;
+  /** "CPU in STOP": then there is no value. */
+  note?: string;
   /** The statement that wrote it; without it the plant, a client or the user did. */
   by?: { block: string; network: number; line: number };
 }
@@ -136,7 +139,9 @@ export type ToServer =
   | { t: 'at'; step: Unit; n: number }
   | { t: 'history'; id: string; from: number; to: number; channels: string[]; points: number }
   | { t: 'who'; id: string; name: string; scan: number }
-  | { t: 'ack'; seq: number };
+  | { t: 'ack'; seq: number }
+  /** So many messages a second are enough; 0 for none. */
+  | { t: 'rate'; hz: number };
 
 export interface Welcome {
   t: 'welcome';
@@ -151,8 +156,6 @@ export interface Welcome {
   mnemonics: Language;
   /** Examples that this page may change to. */
   examples?: string[];
-  /** What not every server has: `flow` as a subscription, `step` by statements and networks. Without it the page does without. */
-  offers?: ('flow' | 'step')[];
 }
 
 export interface Scan {
@@ -208,14 +211,23 @@ export type FromServer =
 
 /** Seconds between two attempts to connect. */
 const WAITS = [1, 2, 4, 8, 15];
-/** A connection that has said nothing for so long is dead: a server that lives sends a scan at least once a second. */
-const SILENCE_MS = 2500;
+/** After so long without a word the server is asked whether it lives: it sends a scan once a second, but none while a long one runs. */
+const SILENCE_MS = 1500;
+/** So long it may take with the answer. */
+const ANSWER_MS = 1000;
+/** No scan takes as long as this: the connection is lost, whatever the server says. */
+const LOST_MS = 15_000;
+/** The connection is looked at so often. */
+const LOOK_MS = 500;
+/** What a page in sight gets, what one that nobody sees gets, and after how long it gets nothing at all. */
+const RATE = { seen: 20, hidden: 2, none: 0 };
+const HIDDEN_MS = 5 * 60_000;
 
 export interface Listener {
   opened(): void;
   message(message: FromServer): void;
-  /** Waits so many seconds for the next attempt. */
-  closed(wait: number, why: string): void;
+  /** Waits so many seconds for the next attempt; nothing was heard since then, in the time of `performance.now()`. */
+  closed(wait: number, why: string, since: number): void;
 }
 
 /** One connection that comes back by itself. */
@@ -224,7 +236,11 @@ export class Wire {
   #attempt = 0;
   #timer: ReturnType<typeof setTimeout> | undefined;
   #heard = 0;
-  #watchdog: ReturnType<typeof setInterval> | undefined;
+  /** What the computer slept after that: its own clock stood still. */
+  #slept = 0;
+  #hidden: ReturnType<typeof setTimeout> | undefined;
+  #rate = RATE.seen;
+  #asking = false;
   #why = '';
   #ended = false;
   #listener: Listener;
@@ -233,6 +249,35 @@ export class Wire {
   constructor(url: string, listener: Listener) {
     this.#url = url;
     this.#listener = listener;
+    let wall = Date.now();
+    let own = performance.now();
+    setInterval(() => {
+      const [now, at] = [Date.now(), performance.now()];
+      // Asleep, or its clock was set: the connection has to say that it lives.
+      this.#slept += Math.max(0, now - wall - (at - own) - LOOK_MS);
+      [wall, own] = [now, at];
+      const socket = this.#socket;
+      if (socket !== null && this.#rate > 0 && at - this.#heard > SILENCE_MS) void this.#ask(socket, at - this.#heard > LOST_MS);
+    }, LOOK_MS);
+    document.addEventListener('visibilitychange', () => this.#pace());
+  }
+
+  /** As many messages as are looked at. */
+  #pace(): void {
+    clearTimeout(this.#hidden);
+    this.#heard = performance.now();
+    if (document.visibilityState === 'visible') {
+      this.#hz(RATE.seen);
+      this.retry();
+    } else {
+      this.#hz(RATE.hidden);
+      this.#hidden = setTimeout(() => this.#hz(RATE.none), HIDDEN_MS);
+    }
+  }
+
+  #hz(hz: number): void {
+    this.#rate = hz;
+    this.send({ t: 'rate', hz });
   }
 
   connect(): void {
@@ -240,15 +285,16 @@ export class Wire {
     this.#why = '';
     const socket = new WebSocket(this.#url);
     this.#socket = socket;
-    this.#heard = performance.now();
+    this.#hear();
     socket.onopen = () => {
       if (socket !== this.#socket) return;
-      this.#heard = performance.now();
+      this.#hear();
       this.#listener.opened();
+      if (this.#rate !== RATE.seen) this.#hz(this.#rate);
     };
     socket.onmessage = (event) => {
       if (socket !== this.#socket) return;
-      this.#heard = performance.now();
+      this.#hear();
       let message: FromServer;
       try {
         message = JSON.parse(String(event.data)) as FromServer;
@@ -261,20 +307,30 @@ export class Wire {
       if (message.t === 'scan') this.send({ t: 'ack', seq: message.seq });
     };
     socket.onclose = () => this.#lost(socket);
-    clearInterval(this.#watchdog);
-    this.#watchdog = setInterval(() => {
-      if (document.visibilityState === 'visible' && performance.now() - this.#heard > SILENCE_MS) this.#lost(socket);
-    }, 500);
+  }
+
+  async #ask(socket: WebSocket, long: boolean): Promise<void> {
+    if (this.#asking) return;
+    this.#asking = true;
+    // A peer that has forgotten this connection says so now.
+    this.#hz(this.#rate);
+    const answered = await fetch('/icon.svg', { method: 'HEAD', cache: 'no-store', signal: AbortSignal.timeout(ANSWER_MS) }).then((answer) => answer.ok, () => false);
+    this.#asking = false;
+    if ((long || !answered) && performance.now() - this.#heard > SILENCE_MS) this.#lost(socket);
+  }
+
+  #hear(): void {
+    this.#heard = performance.now();
+    this.#slept = 0;
   }
 
   #lost(socket: WebSocket): void {
     if (socket !== this.#socket || this.#ended) return;
     this.#socket = null;
-    clearInterval(this.#watchdog);
     socket.close();
     const wait = WAITS[Math.min(this.#attempt, WAITS.length - 1)] ?? 15;
     this.#attempt += 1;
-    this.#listener.closed(wait, this.#why);
+    this.#listener.closed(wait, this.#why, this.#heard - this.#slept);
     this.#timer = setTimeout(() => this.connect(), wait * 1000);
   }
 
@@ -293,7 +349,6 @@ export class Wire {
   end(): void {
     this.#ended = true;
     clearTimeout(this.#timer);
-    clearInterval(this.#watchdog);
     this.#socket?.close();
   }
 }

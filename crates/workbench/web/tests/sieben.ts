@@ -1,6 +1,6 @@
-// The real binary beside a page: each test has a run of its own, on a copy of one of the examples. `SIEBEN` names the binary.
+// The real binary with a page: each test has a run of its own, on a copy of one of the examples or on a project that it writes itself. `SIEBEN` names the binary.
 import { spawn, type ChildProcess } from 'node:child_process';
-import { cpSync, mkdtempSync, rmSync } from 'node:fs';
+import { cpSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { createServer } from 'node:net';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -12,6 +12,11 @@ const BINARY = process.env['SIEBEN'] ?? join(process.env['CARGO_TARGET_DIR'] ?? 
 /** Within this time a run says where its page is. */
 const STARTS_WITHIN = 20_000;
 
+/** Files of a project by name. */
+export type Files = Record<string, string>;
+/** As `example`: a project that has only the files of the test. */
+export const OWN = 'own';
+
 /** A run of an example with its page. */
 export class Sieben {
   readonly folder: string;
@@ -22,13 +27,16 @@ export class Sieben {
     readonly example: string,
     readonly port: number,
     private readonly further: string[],
+    files: Files,
   ) {
     this.folder = join(mkdtempSync(join(tmpdir(), 'sieben-page-')), example);
-    cpSync(join(ROOT, 'examples', example), this.folder, { recursive: true, filter: (path) => !path.endsWith('/.sieben') });
+    if (example === OWN) mkdirSync(this.folder);
+    else cpSync(join(ROOT, 'examples', example), this.folder, { recursive: true, filter: (path) => !path.endsWith('/.sieben') });
+    for (const [name, text] of Object.entries(files)) writeFileSync(join(this.folder, name), text);
   }
 
-  static async start(example: string, further: string[] = []): Promise<Sieben> {
-    const sieben = new Sieben(example, await freePort(), further);
+  static async start(example: string, further: string[] = [], files: Files = {}): Promise<Sieben> {
+    const sieben = new Sieben(example, await freePort(), further, files);
     await sieben.start();
     return sieben;
   }
@@ -88,14 +96,17 @@ interface Fixtures {
   example: string;
   /** Further arguments of `sieben run`. */
   further: string[];
+  /** Files that come to those of the example, or take their place. */
+  files: Files;
   sieben: Sieben;
 }
 
 export const test = base.extend<Fixtures>({
   example: ['dosing', { option: true }],
   further: [[], { option: true }],
-  sieben: async ({ example, further }, use) => {
-    const sieben = await Sieben.start(example, further);
+  files: [{}, { option: true }],
+  sieben: async ({ example, further, files }, use) => {
+    const sieben = await Sieben.start(example, further, files);
     await use(sieben);
     await sieben.end();
   },
@@ -110,6 +121,42 @@ export const id = (page: Page, name: string) => page.getByTestId(name);
 
 /** The scan that the page shows. */
 export const scan = async (page: Page) => Number((await id(page, 'scan-number').textContent())?.replace(/\D/g, ''));
+
+/** Presses the START button of the dosing plant. */
+export async function dose(page: Page): Promise<void> {
+  const button = id(page, 'in-0.0').getByRole('button');
+  await button.hover();
+  await page.mouse.down();
+  await expect(id(page, 'in-0.0')).toHaveAttribute('data-on', '1');
+  await page.mouse.up();
+  await expect(id(page, 'out-0.0')).toHaveAttribute('data-on', '1');
+}
+
+/** A row as the server sends it: line, executed, status word, ACCU 1, ACCU 2. */
+export type Row = [number, number, number, number, number];
+
+/** What a second client is sent of one scan of a block. */
+export async function rowsOf(page: Page, block: string, n: number, last: number): Promise<Row[]> {
+  return page.evaluate(
+    async ([block, n, last]) =>
+      new Promise<Row[]>((done) => {
+        const socket = new WebSocket(location.origin.replace('http', 'ws') + '/ws');
+        const say = (message: unknown) => socket.send(JSON.stringify(message));
+        socket.onopen = () => {
+          say({ t: 'hello', v: 1, lang: 'en' });
+          say({ t: 'at', scan: n });
+          say({ t: 'sub', id: 'r', what: 'rows', block, from: 0, to: last });
+        };
+        socket.onmessage = (event) => {
+          const message = JSON.parse(String(event.data)) as { t: string; n: number; s: { r?: Row[] } };
+          if (message.t !== 'scan' || message.n !== n || !Array.isArray(message.s.r)) return;
+          socket.close();
+          done(message.s.r);
+        };
+      }),
+    [block, n, last] as const,
+  );
+}
 
 /** Opens the page, waits until it is live, and collects what must not happen: errors on the console, requests to elsewhere. */
 export async function open(page: Page, hash = '', query = '?theme=light'): Promise<string[]> {

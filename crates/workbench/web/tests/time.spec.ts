@@ -1,5 +1,5 @@
 // Checks of the contract: time.
-import { expect, id, open, scan, test } from './sieben';
+import { dose, expect, id, open, scan, test } from './sieben';
 
 test('21–23, 26, 27: pause, steps, the past and back; nothing jumps', async ({ page }) => {
   await open(page);
@@ -37,15 +37,21 @@ test('21–23, 26, 27: pause, steps, the past and back; nothing jumps', async ({
 
 test('24, 25, 29: the timeline goes to a scan; there nothing is written', async ({ page, request }) => {
   await open(page);
+  await dose(page);
   await page.waitForTimeout(2500);
   const track = id(page, 'timeline-track');
   const box = (await track.boundingBox()) ?? { x: 0, y: 0, width: 0, height: 0 };
   await page.mouse.click(box.x + box.width - 80, box.y + 30);
   await expect(id(page, 'connection')).toHaveText('Past');
   const n = await scan(page);
-  const flow = await id(page, 'in-0.7').getAttribute('data-on');
-  const trace = await (await request.get(`/api/v1/trace?from=${n}&to=${n}&channels=FLOW&format=csv`)).text();
-  expect(flow).toBe(trace.trim().split('\n')[1]?.split(',')[1]);
+  const [names, values] = (await (await request.get(`/api/v1/trace?from=${n}&to=${n}&channels=FLOW,LITRES&format=csv`)).text()).trim().split(/\r?\n/).map((line) => line.split(','));
+  const traced = (name: string) => values?.[names?.indexOf(name) ?? -1];
+  expect(traced('scan')).toBe(String(n));
+  await expect(id(page, 'in-0.7')).toHaveAttribute('data-on', traced('FLOW') ?? '');
+  const litres = Number(traced('LITRES'));
+  expect(litres).toBeGreaterThan(0);
+  await expect(id(page, 'plant-picture').locator('.big')).toHaveText(String(litres));
+  await expect(id(page, 'stl-row-29').locator('td.num').first()).toHaveText(String(litres).padStart(4, '0'));
   await expect(id(page, 'in-0.1').getByRole('switch')).toBeDisabled();
   await expect(id(page, 'in-0.1').getByRole('switch')).toHaveAttribute('title', /past/);
   await expect(id(page, 'plant-start')).toHaveAttribute('aria-disabled', 'true');
@@ -59,4 +65,33 @@ test('24, 25, 29: the timeline goes to a scan; there nothing is written', async 
   await expect(id(page, 'watch-modify')).toBeDisabled();
   await expect(id(page, 'watch-modify')).toHaveAttribute('title', /past/);
   await expect(id(page, 'force-add')).toBeDisabled();
+});
+
+test('28: ten times as fast', async ({ page }) => {
+  await open(page);
+  await id(page, 'speed').click();
+  await id(page, 'speed-10').click();
+  await expect(id(page, 'speed')).toContainText('10×');
+  await page.waitForTimeout(500);
+  const at = () => page.evaluate(() => [performance.now() / 1000, Number.parseFloat(document.querySelector('[data-testid=scan-time]')?.textContent ?? '')] as const);
+  const [start, first] = await at();
+  await page.waitForTimeout(3000);
+  const [end, last] = await at();
+  const speed = (last - first) / (end - start);
+  expect(speed).toBeGreaterThan(9);
+  expect(speed).toBeLessThan(11);
+});
+
+test('30: before the start there is nothing', async ({ page }) => {
+  await open(page);
+  await page.waitForTimeout(500);
+  await page.keyboard.press('Home');
+  await expect(id(page, 'connection')).toHaveText('Past');
+  const oldest = await scan(page);
+  await expect(id(page, 'timeline')).toContainText('before the start');
+  for (const key of [',', '<', 'N']) await page.keyboard.press(key);
+  await page.waitForTimeout(500);
+  expect(await scan(page)).toBe(oldest);
+  const shown = await page.evaluate(() => document.body.outerHTML);
+  expect(shown).not.toMatch(/NaN|undefined|Infinity/);
 });
