@@ -55,22 +55,34 @@ pub fn install_packages(packages: &[&str]) -> Result<(), String> {
     quiet(&["update"]).and_then(|()| quiet(&wanted)).map_err(|reason| format!("{reason}; {by_hand}"))
 }
 
+/// How a binary is built.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Build {
+    /// Soon, with checks: for tests.
+    Debug,
+    /// As users have it: for measurements.
+    Release,
+}
+
 /// The binary of Sieben: the one that is named, or a fresh one.
-pub fn sieben(named: Option<&PathBuf>) -> Result<PathBuf, String> {
+pub fn sieben(named: Option<&PathBuf>, build: Build) -> Result<PathBuf, String> {
     if let Some(binary) = named {
         return binary.canonicalize().map_err(|error| format!("cannot find {}: {error}", binary.display()));
     }
     let status = Command::new(crate::test::cargo())
         .args(["build", "-p", "sieben-app"])
+        .args((build == Build::Release).then_some("--release"))
         .current_dir(workspace::root())
         .status()
         .map_err(|error| format!("cannot start cargo: {error}"))?;
     if !status.success() {
         return Err("the binary cannot be built".to_owned());
     }
-    // Both binaries lie in the same folder.
+    // Its folder is the one of this program, or the one beside it.
     let own = std::env::current_exe().map_err(|error| format!("cannot find myself: {error}"))?;
-    Ok(own.with_file_name("sieben").with_extension(std::env::consts::EXE_EXTENSION))
+    let folders = own.parent().and_then(|folder| folder.parent()).ok_or("this program lies in no folder of cargo")?;
+    let folder = if build == Build::Release { "release" } else { "debug" };
+    Ok(folders.join(folder).join("sieben").with_extension(std::env::consts::EXE_EXTENSION))
 }
 
 /// Runs a command to its end; what failed is its last words.

@@ -7,7 +7,8 @@ use std::path::PathBuf;
 use std::process::Command;
 use std::time::{Duration, Instant};
 
-use crate::{fuzz, programs, web, workspace};
+use crate::programs::{self, Build};
+use crate::{fuzz, web, workspace};
 
 /// Runs the task.
 pub fn run(arguments: &[String]) -> Result<(), String> {
@@ -16,9 +17,9 @@ pub fn run(arguments: &[String]) -> Result<(), String> {
         "kill" => kill_runs(&options),
         "run" => {
             let folder = std::env::temp_dir().join(format!("sieben-soak-run-{}", std::process::id()));
-            long_run::run(&programs::sieben(options.binary.as_ref())?, &folder, options.time)
+            long_run::run(&programs::sieben(options.binary.as_ref(), Build::Debug)?, &folder, options.time)
         }
-        "page" => web::soak(options.time),
+        "page" => web::soak(options.binary, options.time),
         "fuzz" => fuzz_rounds(options.time),
         "programs" => many_programs(options.times),
         unknown => Err(format!("`{unknown}` is no soak: kill, run, page, fuzz or programs")),
@@ -61,7 +62,7 @@ fn read_options(arguments: &[String]) -> Result<Options, String> {
 }
 
 fn kill_runs(options: &Options) -> Result<(), String> {
-    let binary = programs::sieben(options.binary.as_ref())?;
+    let binary = programs::sieben(options.binary.as_ref(), Build::Debug)?;
     let began = Instant::now();
     // Both ways: once with a thread that syncs, once with a sync in every scan.
     for (sync, kills) in [("1s", options.count - options.count / 4), ("0ms", options.count / 4)] {

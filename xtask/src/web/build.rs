@@ -8,6 +8,10 @@ use std::process::Command;
 use super::{built, sources, tools};
 use crate::{programs, workspace};
 
+/// What a page needs for its first view, packed: more is not there within 300 ms on a slow line.
+const FIRST_BYTES_MAX: u64 = 60_000;
+/// All parts of the page, packed.
+const ALL_BYTES_MAX: u64 = 250_000;
 /// A packed copy of a file, for browsers that unpack it.
 const PACKED: &str = ".br";
 /// Prints the names of packed files that do not hold what lies beside them: other versions of Node.js pack the same into other bytes.
@@ -21,6 +25,25 @@ pub(super) fn into_dist() -> Result<(), String> {
     run(tools::package_command("svelte-check").args(["--tsconfig", "./tsconfig.json", "--fail-on-warnings", "--output", "human"]))?;
     build(&built())?;
     println!("web: {} files in crates/workbench/dist", files(&built()).len());
+    sizes(&built())
+}
+
+/// Says how large the page is, and whether that is too much: packed, because so it is sent.
+fn sizes(folder: &Path) -> Result<(), String> {
+    let failed = |error: std::io::Error| error.to_string();
+    let page = fs::read_to_string(folder.join("index.html")).map_err(failed)?;
+    let (mut first, mut all) = (0, 0);
+    for name in files(folder).iter().filter_map(|name| name.strip_suffix(PACKED)) {
+        let size = fs::metadata(folder.join(format!("{name}{PACKED}"))).map_err(failed)?.len();
+        all += size;
+        if page.contains(name) && name.starts_with("assets/") {
+            first += size;
+        }
+    }
+    println!("web: {first} bytes packed for the first view (at most {FIRST_BYTES_MAX}), {all} for all (at most {ALL_BYTES_MAX})");
+    if first > FIRST_BYTES_MAX || all > ALL_BYTES_MAX {
+        return Err("web: the page is too large: what is seldom used goes into a part that is loaded when it is needed".to_owned());
+    }
     Ok(())
 }
 
@@ -34,7 +57,7 @@ pub(super) fn check() -> Result<(), String> {
     let differences = differences(&built(), &fresh)?;
     if differences.is_empty() {
         println!("web: crates/workbench/dist is what its sources build");
-        return Ok(());
+        return sizes(&fresh);
     }
     for difference in &differences {
         println!("crates/workbench/dist/{difference}");

@@ -116,7 +116,7 @@ for (const [what, program, hash, view] of [
     await replaced(sieben, program);
     await open(page, hash);
     if (view !== undefined) await id(page, view).click();
-    await expect(page.locator(view === undefined ? '[data-testid^=stl-row-][data-executed="1"]' : '[data-flow="1"]').first()).toBeAttached();
+    await expect(page.locator(view === undefined ? '[data-testid^=stl-row-][data-executed="1"]' : '[data-flow="1"]').first()).toBeAttached({ timeout: 60_000 });
     await page.waitForTimeout(2000);
     const costs = await updates(browser, page);
     console.log(
