@@ -279,3 +279,28 @@ fn the_end_of_the_run_is_said_to_pages() {
     assert_eq!(page.next(), None);
     assert_eq!(serving.child.wait().expect("it ends").code(), Some(0));
 }
+
+/// A panel whose parts lie where the project wants them, beside lamps that it only shows.
+#[test]
+fn a_panel_is_shown_with_the_addresses_of_its_project() {
+    let settings = "[project]\nname = \"panel\"\n\n[[module]]\nkind = \"panel\"\nswitches = -1\nbuttons = 6\nlamps = 8\ndisplay = -1\nmotor_left = -1\n";
+    let program = "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\nA I 6.1;\n= Q 8.3;\n= Q 20.7;\nEND_ORGANIZATION_BLOCK\n";
+    let folder = Folder::with(&[("sieben.toml", settings), ("main.awl", program)]);
+    let serving = Serving::usual(&folder);
+    let head = &serving.json("GET", "/api/v1/plants", "")[0];
+    let signals = head["signals"].as_array().expect("signals");
+    let address = |name: &str| signals.iter().find(|signal| signal["name"] == name).map(|signal| signal["address"].clone());
+    let found = ["thumbwheel", "button_0_1", "button_1_7", "lamp_0_3", "display", "switch_0_0"].map(address);
+    let expected = [Some("IW 4"), Some("I 6.1"), Some("I 7.7"), Some("Q 8.3"), None, None].map(|address| address.map(Value::from));
+    assert_eq!(found, expected, "{head}");
+    assert_eq!((&head["parameters"][0], &head["parameters"][6]), (&json!("switches"), &json!("horn")));
+    let mut page = serving.page("");
+    page.say(&json!({ "t": "hello", "v": 1, "lang": "en" }));
+    page.say(&json!({ "t": "sub", "id": "plant", "what": "plant" }));
+    let lit = |message: &Value| message["s"]["plant"][0]["outputs"][0] == 8;
+    serving.json("PATCH", "/api/v1/tags", r#"{"I 6.1":true}"#);
+    let plant = page.until("the panel with its lamp", lit)["s"]["plant"][0].clone();
+    assert_eq!((&plant["input"], &plant["inputs"]), (&json!(4), &json!([0, 0, 2, 0])), "{plant}");
+    assert_eq!((&plant["output"], &plant["outputs"]), (&json!(8), &json!([8, 0, 0, 0])), "{plant}");
+    assert_eq!(plant["state"], json!([["horn", 1.0, ""], ["motor_right", 0.0, ""]]), "{plant}");
+}

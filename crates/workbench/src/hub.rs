@@ -459,7 +459,10 @@ pub(crate) fn see(cpu: &Cpu, items: &[(String, Option<Item>)], wanted: &Wanted) 
         };
         (name.clone(), json)
     });
-    let plant = wanted.common.contains(&Common::Plant).then(|| Content::Whole(wrap::plants(cpu.rack()).map(plant_json).collect()));
+    let plant = wanted.common.contains(&Common::Plant).then(|| {
+        let put_out = cpu.rack().outputs();
+        Content::Whole(wrap::plants(cpu.rack()).map(|plant| plant_json(plant, put_out)).collect())
+    });
     (tags.collect(), plant)
 }
 
@@ -476,16 +479,18 @@ pub(crate) fn item_of(name: &str, program: &Known) -> Option<Item> {
     meant.ok().map(|name| name.readable().item().clone())
 }
 
-fn plant_json(plant: &wrap::Plant) -> Json {
+/// A plant as it is now; `put_out` are all bytes that the CPU has put out, some of which a plant may show that are not its own.
+fn plant_json(plant: &wrap::Plant, put_out: &[u8]) -> Json {
     use sieben_cpu::IoModule;
-    let kind = plant.kind();
-    let mut inputs = vec![0_u8; kind.input_bytes as usize];
+    let mut inputs = vec![0_u8; plant.inputs().len()];
     plant.read(0, &mut inputs);
-    let state: Json = plant.device().state().into_iter().map(|(name, value, unit)| json!([name, value, unit])).collect();
+    let state = plant.device().state().into_iter().chain(plant.device().shown(put_out));
     json!({
-        "kind": kind.name, "name": plant.name(), "input": plant.inputs().start, "output": plant.outputs().start,
-        "parameters": plant.device().settings().parameters, "inputs": inputs, "outputs": plant.commands(), "state": state,
+        "kind": plant.kind().name, "name": plant.name(), "input": plant.inputs().start, "output": plant.outputs().start,
+        "parameters": plant.device().settings().parameters, "inputs": inputs, "outputs": plant.commands(),
+        "state": state.map(|(name, value, unit)| json!([name, value, unit])).collect::<Json>(),
         "faults": plant.faults().map(ToString::to_string).collect::<Vec<_>>(),
+        "acting": plant.acting_faults().map(ToString::to_string).collect::<Vec<_>>(),
     })
 }
 

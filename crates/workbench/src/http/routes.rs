@@ -288,11 +288,11 @@ fn plants(asked: &Asked<'_>) -> Result<Reply, Refusal> {
     let heads = hub.gate.enter(|plant| {
         let head = |plant: &wrap::Plant| {
             let (inputs, outputs) = (plant.inputs().start, plant.outputs().start);
-            (plant.name().to_owned(), plant.kind(), inputs, outputs)
+            (plant.name().to_owned(), plant.kind(), plant.device().signals().to_vec(), inputs, outputs)
         };
         wrap::plants(plant.cpu.rack()).map(head).collect::<Vec<_>>()
     })?;
-    let plant = |(name, kind, inputs, outputs): (String, &'static sieben_sim::devices::Kind, u32, u32)| {
+    let plant = |(name, kind, signals, inputs, outputs): (String, &'static sieben_sim::devices::Kind, Vec<Signal>, u32, u32)| {
         let signal = |signal: &Signal| {
             let address = signal.address(if signal.is_input() { inputs } else { outputs });
             let operand = Operand::parse(&address);
@@ -306,15 +306,16 @@ fn plants(asked: &Asked<'_>) -> Result<Reply, Refusal> {
             };
             let mut object = json!({
                 "name": signal.name, "address": address, "symbol": symbol, "direction": if signal.is_input() { "in" } else { "out" },
-                "driven": driven, "about": signal.about, "unit": signal.unit,
+                "driven": driven, "about": signal.about, "unit": signal.unit, "per_unit": signal.per_unit,
             });
             if let Some(handle) = handle {
                 object["handle"] = json!(handle);
             }
             object
         };
-        let signals: Vec<Json> = kind.signals.iter().map(signal).collect();
-        json!({ "name": name, "kind": kind.name, "title": kind.name, "detail": kind.about, "signals": signals })
+        let signals: Vec<Json> = signals.iter().map(signal).collect();
+        let parameters: Vec<&str> = kind.parameters.iter().map(|parameter| parameter.name).collect();
+        json!({ "name": name, "kind": kind.name, "title": kind.name, "detail": kind.about, "signals": signals, "parameters": parameters })
     };
     Ok(Reply::Json(heads.into_iter().map(plant).collect()))
 }

@@ -105,6 +105,9 @@ export interface Signal {
   driven: 'plant' | 'user';
   /** How a person sets it. */
   about?: string;
+  /** Of a word: what it is measured in, and what it counts for one of it. */
+  unit?: string;
+  per_unit?: number;
   handle?: 'push' | 'push-nc' | 'switch' | 'switch-nc';
 }
 
@@ -114,6 +117,8 @@ export interface PlantHead {
   title: string;
   detail: string;
   signals: Signal[];
+  /** Names of what a look has in `parameters`. */
+  parameters?: string[];
 }
 
 export interface WatchRow {

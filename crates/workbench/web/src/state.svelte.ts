@@ -181,6 +181,7 @@ class Page {
         this.say(message.text);
         break;
       case 'bye':
+        this.say(message.text ?? message.why);
         break;
     }
   }

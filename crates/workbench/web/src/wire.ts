@@ -44,6 +44,8 @@ export interface PlantLook {
   state: [string, number, string][];
   /** Faults that it has, in the words of `--fault`. */
   faults: string[];
+  /** Those of them whose time it is. */
+  acting?: string[];
 }
 
 export interface Leds {
@@ -222,6 +224,9 @@ const LOOK_MS = 500;
 /** What a page in sight gets, what one that nobody sees gets, and after how long it gets nothing at all. */
 const RATE = { seen: 20, hidden: 2, none: 0 };
 const HIDDEN_MS = 5 * 60_000;
+/** A page may say 50 things a second, of which 20 acknowledge: so many of the others at once, and so many a second. */
+const AT_ONCE = 12;
+const A_SECOND = 16;
 
 export interface Listener {
   opened(): void;
@@ -240,6 +245,11 @@ export class Wire {
   #slept = 0;
   #hidden: ReturnType<typeof setTimeout> | undefined;
   #rate = RATE.seen;
+  /** What is still to be said, and how much of it may be said now. */
+  #waiting: ToServer[] = [];
+  #may = AT_ONCE;
+  #said = 0;
+  #soon: ReturnType<typeof setTimeout> | undefined;
   #asking = false;
   #why = '';
   #ended = false;
@@ -286,6 +296,7 @@ export class Wire {
     const socket = new WebSocket(this.#url);
     this.#socket = socket;
     this.#hear();
+    this.#waiting = [];
     socket.onopen = () => {
       if (socket !== this.#socket) return;
       this.#hear();
@@ -334,8 +345,29 @@ export class Wire {
     this.#timer = setTimeout(() => this.connect(), wait * 1000);
   }
 
+  /** Says it, in its order; where there is too much to say, what is overtaken is left out. */
   send(message: ToServer): void {
-    if (this.#socket?.readyState === WebSocket.OPEN) this.#socket.send(JSON.stringify(message));
+    if (this.#socket?.readyState !== WebSocket.OPEN) return;
+    if (message.t === 'ack') return this.#socket.send(JSON.stringify(message));
+    const waiting = this.#waiting;
+    const last = waiting[waiting.length - 1];
+    const same = 'id' in message ? waiting.findIndex((other) => 'id' in other && other.id === message.id) : -1;
+    if (same >= 0) waiting[same] = message;
+    else if (message.t === 'at' && last?.t === 'at' && 'scan' in message && 'scan' in last) last.scan = message.scan;
+    else if (message.t === 'at' && last?.t === 'at' && 'step' in message && 'step' in last && message.step === last.step) last.n += message.n;
+    else waiting.push(message);
+    this.#soon ??= setTimeout(() => this.#flush(), 0);
+  }
+
+  #flush(): void {
+    const now = performance.now();
+    this.#may = Math.min(AT_ONCE, this.#may + ((now - this.#said) / 1000) * A_SECOND);
+    this.#said = now;
+    while (this.#waiting.length > 0 && this.#may >= 1) {
+      this.#may -= 1;
+      this.#socket?.send(JSON.stringify(this.#waiting.shift()));
+    }
+    this.#soon = this.#waiting.length > 0 ? setTimeout(() => this.#flush(), 1000 / A_SECOND) : undefined;
   }
 
   /** Tries at once. */

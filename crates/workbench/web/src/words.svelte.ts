@@ -1,4 +1,4 @@
-/** Every word of the page in its two languages: one table. */
+/** Every word of the page in its two languages: one table; those of the plants, which come on demand, are in `plants/words.ts`. */
 import type { Language } from './wire';
 
 const WORDS = {
@@ -85,14 +85,16 @@ const WORDS = {
   offStartup: ['The CPU starts', 'Die CPU läuft an'],
   // live
   plant: ['Plant', 'Anlage'],
-  noPlant: ['This project has no simulated plant. Switch its inputs on the rack.', 'Dieses Projekt hat keine simulierte Anlage. Die Eingänge lassen sich an der Baugruppe schalten.'],
+  noPlant: ['This project has no simulated plant. Add a [[module]] to sieben.toml, or switch its inputs on the rack.', 'Dieses Projekt hat keine simulierte Anlage. Ein [[module]] in sieben.toml ergänzen oder die Eingänge an der Baugruppe schalten.'],
   fault: ['Fault', 'Fehler'],
   faultTitle: ['Let a part of the plant fail', 'Einen Teil der Anlage ausfallen lassen'],
-  noFault: ['no fault', 'kein Fehler'],
   rack: ['I/O rack', 'E/A-Baugruppen'],
   rackHint: ['click = input', 'Klick = Eingang'],
+  noRack: ['No input or output has a symbol, and no plant has terminals. Give an input a symbol, and it is here.', 'Kein Ein- oder Ausgang hat ein Symbol, und keine Anlage hat Klemmen. Ein Eingang mit Symbol steht hier.'],
   driven: ['driven by the plant', 'von der Anlage'],
   free: ['free', 'frei'],
+  writeNumber: ['Write a whole number: `25`.', 'Eine ganze Zahl schreiben: `25`.'],
+  writeHex: ['Write hexadecimal digits: `0025`.', 'Hexadezimale Ziffern schreiben: `0025`.'],
   press: ['press', 'Taste'],
   pressOf: ['Press {0}', '{0} drücken'],
   normallyClosed: ['normally closed: 1 while not pressed', 'Öffner: 1, solange nicht gedrückt'],
@@ -134,22 +136,6 @@ const WORDS = {
   kind_tank: ['Tank', 'Behälter'],
   kind_thermal: ['Heater', 'Heizung'],
   kind_panel: ['Training panel', 'Schaltbrett'],
-  supply: ['Supply', 'Vorrat'],
-  valve: ['valve', 'Ventil'],
-  open: ['open', 'offen'],
-  shut: ['shut', 'zu'],
-  flowMeter: ['flow meter', 'Durchfluss'],
-  pulse: ['pulse', 'Impuls'],
-  noPulse: ['no pulse', 'kein Impuls'],
-  vessel: ['Vessel', 'Gefäß'],
-  display: ['display', 'Anzeige'],
-  litresLeft: ['Litres left', 'Restliter'],
-  pushButtons: ['Push buttons', 'Taster'],
-  pump: ['pump', 'Pumpe'],
-  level: ['Level', 'Füllstand'],
-  inlet: ['Inlet', 'Zulauf'],
-  outlet: ['Outlet', 'Ablauf'],
-  motor: ['Motor', 'Motor'],
   // program
   blocks: ['Blocks', 'Bausteine'],
   everyScan: ['Called every scan', 'In jedem Zyklus'],
@@ -347,11 +333,17 @@ export function setLanguage(lang: Language): void {
   localStorage.setItem('lang', lang);
 }
 
-/** The word in the language of the page, with `{0}`, `{1}` … filled. */
-export function t(word: Word, ...parts: (string | number)[]): string {
-  const text: string = WORDS[word][speech.lang === 'de' ? 1 : 0];
-  return parts.length === 0 ? text : text.replace(/\{(\d)\}/g, (_, i: string) => String(parts[Number(i)] ?? ''));
-}
+type Pair = readonly [string, string];
+/** Words of a table in the language of the page, with `{0}`, `{1}` … filled. */
+export const spoken =
+  <W extends string>(table: Record<W, Pair>) =>
+  (word: W, ...parts: (string | number)[]): string => {
+    const text = table[word][speech.lang === 'de' ? 1 : 0];
+    return parts.length === 0 ? text : text.replace(/\{(\d)\}/g, (_, i: string) => String(parts[Number(i)] ?? ''));
+  };
+
+/** The word in the language of the page. */
+export const t = spoken<Word>(WORDS);
 
 /** 1,234 or 1.234. */
 export function count(n: number | undefined): string {

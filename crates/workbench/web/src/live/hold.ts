@@ -22,7 +22,11 @@ export function hold(node: HTMLElement | SVGElement, set: (down: boolean) => voi
     pressed.stopPropagation();
     if (!pressed.repeat) change(pressed.type === 'keydown');
   };
-  const events: [string, (event: Event) => void][] = [['pointerdown', press], ['pointerup', release], ['pointercancel', release], ['lostpointercapture', release], ['blur', release], ['keydown', key], ['keyup', key]];
+  /** A long touch is a press, no menu. */
+  const menu = (event: Event): void => {
+    if (down) event.preventDefault();
+  };
+  const events: [string, (event: Event) => void][] = [['pointerdown', press], ['pointerup', release], ['pointercancel', release], ['lostpointercapture', release], ['blur', release], ['keydown', key], ['keyup', key], ['contextmenu', menu]];
   for (const [name, handler] of events) node.addEventListener(name, handler);
   return {
     update(next) {
