@@ -3,20 +3,12 @@
 //! They are separate programs, some under licences that Sieben cannot take: no manifest and no lock file of the project names them, and nothing
 //! of theirs is linked with anything of ours.
 
-use std::fs::File;
-use std::io::{Read, Seek};
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::time::{Duration, Instant};
+use std::process::Command;
 use std::{fs, thread};
 
+use crate::programs::{self, REGISTRY_SECONDS_MAX, done};
 use crate::workspace;
-
-/// Seconds that a package client waits for its registry: a machine without a network shall say so soon.
-const REGISTRY_SECONDS_MAX: u32 = 20;
-/// Seconds that one step of an installation may take; compiling a native module is the longest, with about ten.
-const STEP_SECONDS_MAX: u64 = 120;
 
 /// A program that the tests talk with.
 #[derive(Clone, Copy, Debug)]
@@ -138,18 +130,8 @@ impl Client {
         // `allowScripts`: a native module is compiled by a script of its own.
         let manifest = format!("{{\"private\": true, \"allowScripts\": {{\"{}\": true}}}}\n", self.package);
         fs::write(folder.join("package.json"), manifest).map_err(|error| error.to_string())?;
-        let timeout = format!("--fetch-timeout={}000", REGISTRY_SECONDS_MAX);
-        let arguments = [
-            "install",
-            "--no-audit",
-            "--no-fund",
-            "--no-save",
-            "--loglevel=error",
-            "--fetch-retries=1",
-            "--fetch-retry-maxtimeout=2000",
-            &timeout,
-        ];
-        done(Command::new("npm").args(arguments).arg(format!("{}@{}", self.package, self.version)).current_dir(folder))?;
+        let package = format!("{}@{}", self.package, self.version);
+        done(programs::npm("install").arg("--no-save").arg(package).current_dir(folder))?;
         done(Command::new("node").args(["-e", &format!("require('{}')", self.package)]).current_dir(folder))
     }
 
@@ -174,66 +156,11 @@ impl Client {
     }
 
     fn install_tool(&self) -> Result<(), String> {
-        if starts(self.name) {
+        if programs::starts(self.name) {
             return Ok(());
         }
-        let by_hand = format!("`apt-get install {}` as root, or what your system has for it", self.package);
-        if !rustix::process::geteuid().is_root() || !starts("apt-get") {
-            return Err(by_hand);
-        }
-        let quiet = |arguments: &[&str]| {
-            done(Command::new("apt-get").args(arguments).args(["-qq", "-o", "Acquire::Retries=1"]).env("DEBIAN_FRONTEND", "noninteractive"))
-        };
-        quiet(&["update"])
-            .and_then(|()| quiet(&["install", "--yes", "--no-install-recommends", self.package]))
-            .map_err(|reason| format!("{reason}; {by_hand}"))
+        programs::install_packages(&[self.package])
     }
-}
-
-/// Whether a program is there and answers.
-fn starts(program: &str) -> bool {
-    Command::new(program).arg("--version").stdin(Stdio::null()).output().is_ok_and(|output| output.status.success())
-}
-
-/// Runs a command to its end; what failed is its last words.
-fn done(command: &mut Command) -> Result<(), String> {
-    let program = command.get_program().to_string_lossy().into_owned();
-    let failed = |error: std::io::Error| error.to_string();
-    // A file and no pipe: what the command starts may hold a pipe open after it.
-    let mut said = tempfile().map_err(failed)?;
-    let stderr = said.try_clone().map_err(failed)?;
-    let child = command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(stderr).spawn();
-    let mut child = child.map_err(|error| format!("`{program}` does not start: {error}"))?;
-    let begun = Instant::now();
-    let status = loop {
-        if let Some(status) = child.try_wait().map_err(failed)? {
-            break status;
-        }
-        if begun.elapsed() > Duration::from_secs(STEP_SECONDS_MAX) {
-            child.kill().and_then(|()| child.wait()).map_err(failed)?;
-            return Err(format!("`{program}` took more than {STEP_SECONDS_MAX} s"));
-        }
-        thread::sleep(Duration::from_millis(20));
-    };
-    if status.success() {
-        return Ok(());
-    }
-    let mut words = Vec::new();
-    said.rewind().and_then(|()| said.read_to_end(&mut words)).map_err(failed)?;
-    let words = String::from_utf8_lossy(&words);
-    // npm ends with where its log lies, pip with a word about itself.
-    let last =
-        words.lines().rev().map(str::trim).find(|line| !line.is_empty() && !line.contains("complete log") && !line.contains("[notice]"));
-    Err(format!("`{program}` failed: {}", last.unwrap_or("it says nothing")))
-}
-
-/// A file without a name below `target/clients/`.
-fn tempfile() -> std::io::Result<File> {
-    static NUMBER: AtomicUsize = AtomicUsize::new(0);
-    let path = folder().join(format!(".said-{}-{}", std::process::id(), NUMBER.fetch_add(1, Ordering::Relaxed)));
-    let file = File::options().read(true).write(true).create_new(true).open(&path)?;
-    fs::remove_file(path)?;
-    Ok(file)
 }
 
 #[cfg(test)]

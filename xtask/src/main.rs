@@ -4,13 +4,19 @@
 
 use std::process::ExitCode;
 
-use xtask::{aarch64, clients, fuzz, generate, soak, test, tidy};
+use xtask::{aarch64, clients, fuzz, generate, soak, test, tidy, web};
 
 const USAGE: &str = "usage: cargo xtask TASK
 
   test [ARGUMENTS]      build everything and run all tests (arguments go to the test runner)
-  test --all            the same, after `clients`
+  test --all            the same, after `clients`; then the tests of the page in Chromium
   clients               install other people's S7 clients below target/clients/, for the tests
+  web                   build the page of the workbench into crates/workbench/dist
+  web --check           whether crates/workbench/dist is what its sources build
+  web --test [ARGUMENTS]
+                        the tests of the page alone (arguments go to Playwright)
+  web --bench           measure the page: first paint, size, work for an update
+  screenshots           take the pictures of docs/reference/workbench/ again
   tidy                  check the house rules: arrows, pages, links, words
   generate              write the generated pages again
   fuzz --seconds N      run all fuzz targets for N seconds together
@@ -22,6 +28,8 @@ const USAGE: &str = "usage: cargo xtask TASK
   soak kill [--count N] kill a running program N times (1000) and look at its retentive data
   soak run [--minutes N]
                         run a program for N minutes (60) and watch its memory
+  soak page [--minutes N]
+                        leave a page open for N minutes (60) and watch its memory
   soak fuzz [--minutes N]
                         all fuzz targets, round after round with other inputs
   soak programs [--times N]
@@ -36,6 +44,8 @@ fn main() -> ExitCode {
     let outcome = match task {
         "test" => test::run(rest),
         "clients" => clients::run(),
+        "web" => web::run(rest),
+        "screenshots" => web::screenshots(rest),
         "tidy" => tidy::run(),
         "generate" => generate::run(),
         "fuzz" => fuzz::run(rest),

@@ -1,21 +1,25 @@
 //! `cargo xtask test`: builds everything and runs all tests.
 
 use std::fs;
-use std::path::PathBuf;
 use std::process::Command;
 
-use crate::{clients, workspace};
+use crate::{clients, programs, web};
 
 /// Runs the tests with nextest where it is installed, else with `cargo test`. With `--all` what they can use of other people's programs is installed
-/// first. Says at the end what was skipped.
+/// first. The page is tested after the rest. Says at the end what was skipped.
 pub fn run(arguments: &[String]) -> Result<(), String> {
     let (all, arguments): (Vec<_>, Vec<_>) = arguments.iter().cloned().partition(|argument| argument == "--all");
     if !all.is_empty() {
         clients::run()?;
     }
     // What an earlier run skipped.
-    let _ = fs::remove_dir_all(skipped());
-    let outcome = run_tests(&arguments);
+    let _ = fs::remove_dir_all(programs::skipped());
+    let mut outcome = run_tests(&arguments);
+    // A choice of tests is one of the Rust tests.
+    if !all.is_empty() && arguments.is_empty() {
+        let of_page = web::tests(&[]);
+        outcome = outcome.and(of_page);
+    }
     for line in lines_of_skipped() {
         println!("{line}");
     }
@@ -33,13 +37,8 @@ fn run_tests(arguments: &[String]) -> Result<(), String> {
     }
 }
 
-/// Where a test that lacks a program leaves a file that says so: a test runner shows nothing of what passes.
-fn skipped() -> PathBuf {
-    workspace::root().join("target/skipped")
-}
-
 fn lines_of_skipped() -> Vec<String> {
-    let entries = fs::read_dir(skipped()).into_iter().flatten().flatten();
+    let entries = fs::read_dir(programs::skipped()).into_iter().flatten().flatten();
     let mut lines: Vec<String> = entries
         .filter_map(|entry| fs::read_to_string(entry.path()).ok())
         .flat_map(|text| text.lines().map(str::to_owned).collect::<Vec<_>>())

@@ -1,9 +1,12 @@
+import { availableParallelism } from 'node:os';
 import { defineConfig } from '@playwright/test';
 
 export default defineConfig({
   testDir: 'tests',
   testMatch: '*.spec.ts',
-  workers: Number(process.env['WORKERS'] ?? 1),
+  // What failed, with pictures: not here, where the checks of the project would read it.
+  outputDir: '../../../target/page-tests',
+  workers: Number(process.env['WORKERS'] ?? Math.min(2, availableParallelism())),
   fullyParallel: true,
   timeout: 40_000,
   expect: { timeout: 10_000 },

@@ -7,7 +7,8 @@ use std::path::PathBuf;
 use std::process::Command;
 use std::time::{Duration, Instant};
 
-use crate::{fuzz, workspace};
+use crate::programs::{self, Build};
+use crate::{fuzz, web, workspace};
 
 /// Runs the task.
 pub fn run(arguments: &[String]) -> Result<(), String> {
@@ -16,11 +17,12 @@ pub fn run(arguments: &[String]) -> Result<(), String> {
         "kill" => kill_runs(&options),
         "run" => {
             let folder = std::env::temp_dir().join(format!("sieben-soak-run-{}", std::process::id()));
-            long_run::run(&binary(&options)?, &folder, options.time)
+            long_run::run(&programs::sieben(options.binary.as_ref(), Build::Debug)?, &folder, options.time)
         }
+        "page" => web::soak(options.binary, options.time),
         "fuzz" => fuzz_rounds(options.time),
         "programs" => many_programs(options.times),
-        unknown => Err(format!("`{unknown}` is no soak: kill, run, fuzz or programs")),
+        unknown => Err(format!("`{unknown}` is no soak: kill, run, page, fuzz or programs")),
     }
 }
 
@@ -59,26 +61,8 @@ fn read_options(arguments: &[String]) -> Result<Options, String> {
     Ok(options)
 }
 
-/// The binary to run: the one that was named, or a fresh one.
-fn binary(options: &Options) -> Result<PathBuf, String> {
-    if let Some(binary) = &options.binary {
-        return binary.canonicalize().map_err(|error| format!("cannot find {}: {error}", binary.display()));
-    }
-    let status = Command::new(env!("CARGO"))
-        .args(["build", "-p", "sieben-app"])
-        .current_dir(workspace::root())
-        .status()
-        .map_err(|error| format!("cannot start cargo: {error}"))?;
-    if !status.success() {
-        return Err("soak: the binary cannot be built".to_owned());
-    }
-    // Both binaries lie in the same folder.
-    let own = std::env::current_exe().map_err(|error| format!("cannot find myself: {error}"))?;
-    Ok(own.with_file_name("sieben").with_extension(std::env::consts::EXE_EXTENSION))
-}
-
 fn kill_runs(options: &Options) -> Result<(), String> {
-    let binary = binary(options)?;
+    let binary = programs::sieben(options.binary.as_ref(), Build::Debug)?;
     let began = Instant::now();
     // Both ways: once with a thread that syncs, once with a sync in every scan.
     for (sync, kills) in [("1s", options.count - options.count / 4), ("0ms", options.count / 4)] {

@@ -2,6 +2,7 @@
 
 pub mod arrows;
 pub mod commands;
+pub mod contract;
 pub mod pages;
 pub mod rooms;
 pub mod sources;
@@ -57,6 +58,7 @@ pub fn findings() -> Vec<Finding> {
         words::check(&files),
         pages::check(&root, &files),
         commands::check(&root, &files),
+        contract::check(&files),
         stale_pages(&files),
     ]
     .concat();

@@ -19,6 +19,8 @@ const FORBIDDEN: &[(&str, &str)] = &[
     (concat!("pythonhosted", ".org"), "a host of a package registry"),
     (concat!("registry.npmjs", ".org"), "a host of a package registry"),
     (concat!("deb.debian", ".org"), "a host of a package registry"),
+    // A lock file names what is installed by its hash, not by where it lies.
+    (concat!("\"resolved\": \"", "http"), "an address of a package registry"),
     (concat!("<<<<", "<<<"), "a merge that was not finished"),
     (concat!(">>>>", ">>>"), "a merge that was not finished"),
 ];

@@ -10,10 +10,11 @@ use sieben_ide::drawing::svg::escaped;
 
 use super::{assets, response};
 
-/// The pages, without measurements.
+/// The pages, without measurements, and without pictures of the page, which a reader has open beside it.
 #[derive(RustEmbed)]
 #[folder = "../../docs"]
 #[exclude = "benchmarks/*"]
+#[exclude = "reference/workbench/*"]
 struct Files;
 
 /// Where the book begins.
@@ -83,6 +84,8 @@ fn html(name: &str, text: &str) -> (String, String) {
     // Where the heading that is being read began, and its text.
     let mut heading: Option<(usize, HeadingLevel, String)> = None;
     let mut without_link = 0_usize;
+    // Of a picture that is not in the book its text is left.
+    let mut without_picture = false;
     for event in Parser::new_ext(text, options) {
         match event {
             Event::Start(Tag::Heading { level, .. }) => {
@@ -112,6 +115,18 @@ fn html(name: &str, text: &str) -> (String, String) {
                 None => without_link += 1,
             },
             Event::End(TagEnd::Link) if without_link > 0 => without_link -= 1,
+            Event::Start(Tag::Image { link_type, dest_url, title, id }) => match leads(name, &dest_url, link_type) {
+                Some(dest_url) => events.push(Event::Start(Tag::Image { link_type, dest_url: dest_url.into(), title, id })),
+                None => {
+                    without_picture = true;
+                    events.push(Event::Start(Tag::Emphasis));
+                    events.push(Event::Text(CowStr::Borrowed("Picture: ")));
+                }
+            },
+            Event::End(TagEnd::Image) if without_picture => {
+                without_picture = false;
+                events.push(Event::End(TagEnd::Emphasis));
+            }
             other => {
                 if let (Event::Text(part) | Event::Code(part), Some((_, _, text))) = (&other, &mut heading) {
                     text.push_str(part);
@@ -181,7 +196,8 @@ mod tests {
             let file = Files::get(name).expect("it was listed");
             let (title, body) = html(name, &String::from_utf8_lossy(&file.data));
             assert!(!title.is_empty(), "{name} has a heading");
-            for link in body.split("href=\"").skip(1).filter_map(|rest| rest.split('"').next()) {
+            let addresses = ["href=\"", "src=\""].map(|attribute| body.split(attribute).skip(1)).into_iter().flatten();
+            for link in addresses.filter_map(|rest| rest.split('"').next()) {
                 let path = link.split('#').next().unwrap_or_default();
                 let inside = path.strip_prefix(BASE);
                 assert!(
@@ -190,6 +206,14 @@ mod tests {
                 );
             }
         }
+    }
+
+    #[test]
+    fn of_a_picture_that_is_not_in_the_book_its_text_is_left() {
+        let (_, body) = html("reference/x.md", "# x\n\n![Live, in the dark](workbench/live.png) ![Beside](signal-diagrams/none.svg)\n");
+        assert_eq!(body, "<h1 id=\"x\">x</h1>\n<p><em>Picture: Live, in the dark</em> <em>Picture: Beside</em></p>\n");
+        assert!(Files::iter().any(|name| name.ends_with(".svg")), "pictures that are small are in it");
+        assert!(!Files::iter().any(|name| name.ends_with(".png")));
     }
 
     #[test]
