@@ -11,8 +11,8 @@ async function forceStop(page: Page): Promise<void> {
   await id(page, 'force-value').fill('0');
   await id(page, 'force-add').click();
   const dialog = page.getByRole('dialog');
-  await expect(dialog.getByLabel('Value')).toHaveValue('0');
-  await dialog.getByLabel('Reason').fill('wire broken');
+  await expect(dialog.getByLabel('Value')).toHaveValue(value);
+  await dialog.getByLabel('Reason').fill(reason);
   await dialog.getByRole('button', { name: /^Force/ }).click();
 }
 
