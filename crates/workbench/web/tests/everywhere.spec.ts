@@ -1,29 +1,7 @@
 // Checks of the contract: everywhere.
 import { readFileSync } from 'node:fs';
-import { get } from 'node:http';
 import { expect, id, open, test } from './sieben';
 import { TABLE } from './words';
-
-/** The dosing project, and its page needs tokens on this computer too. */
-const GUARDED = `${readFileSync(new URL('../../../../examples/dosing/sieben.toml', import.meta.url), 'utf8')}\n[servers.page]\ntokens = "page-tokens"\n`;
-
-test.describe('with the token for looking', () => {
-  test.use({ files: { 'sieben.toml': GUARDED } });
-  test('79: who may only look finds nothing to write with', async ({ page, request, sieben }) => {
-    await expect.poll(() => sieben.printed).toMatch(/view only:/);
-    const [, token] = /view only:[^\n]*token=(\w+)/.exec(sieben.printed) ?? [];
-    expect((await request.get('/api/v1/state')).status()).toBe(401);
-    await page.goto(`/?theme=light&token=${token}`);
-    await expect(page.locator('body')).toHaveAttribute('data-state', 'readonly');
-    await expect(id(page, 'connection')).toHaveText('View only');
-    expect(page.url()).not.toContain('token');
-    for (const control of ['mode-run', 'mode-stop', 'mode-mres', 'speed', 'plant-fault']) await expect(id(page, control)).toBeDisabled();
-    await expect(id(page, 'in-0.1').getByRole('switch')).toBeDisabled();
-    await expect(id(page, 'plant-start')).toHaveAttribute('aria-disabled', 'true');
-    const answer = await request.patch('/api/v1/tags', { data: { 'I 0.0': true }, headers: { authorization: `Bearer ${token}` } });
-    expect(answer.status()).toBe(403);
-  });
-});
 
 for (const theme of ['light', 'dark', 'hc'])
   test(`72: axe finds nothing in five views, ${theme}`, async ({ page }) => {
@@ -112,30 +90,4 @@ test('84: with reduced motion nothing is animated', async ({ browser }) => {
   await expect(id(page, 'plant-picture')).toBeVisible();
   expect(await page.evaluate(() => document.getAnimations().filter((one) => one.playState === 'running').length)).toBe(0);
   await context.close();
-});
-
-/** What the server answers to an opened WebSocket with this origin: 101 if it takes it. */
-async function upgrade(url: string, origin: string): Promise<number> {
-  return new Promise((done, failed) => {
-    const asked = get(`${url}/ws`, { headers: { origin, connection: 'Upgrade', upgrade: 'websocket', 'sec-websocket-version': '13', 'sec-websocket-key': 'dGhlIHNhbXBsZSBub25jZQ==' } });
-    asked.once('upgrade', (_, socket) => {
-      socket.destroy();
-      done(101);
-    });
-    asked.once('response', (answer) => {
-      answer.resume();
-      done(answer.statusCode ?? 0);
-    });
-    asked.once('error', failed);
-  });
-}
-
-test('80: another origin may neither listen nor write', async ({ request, sieben }) => {
-  expect(await upgrade(sieben.url, sieben.url)).toBe(101);
-  for (const origin of ['http://example.org', 'null', sieben.url.replace('127.0.0.1', '127.0.0.2')]) {
-    expect(await upgrade(sieben.url, origin), origin).toBe(403);
-    const answer = await request.post('/api/v1/mode', { data: { mode: 'stop' }, headers: { origin } });
-    expect(answer.status(), origin).toBe(403);
-  }
-  expect(((await (await request.get('/api/v1/state')).json()) as { mode: string }).mode.toLowerCase()).toBe('run');
 });

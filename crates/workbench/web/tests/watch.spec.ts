@@ -11,8 +11,8 @@ async function forceStop(page: Page): Promise<void> {
   await id(page, 'force-value').fill('0');
   await id(page, 'force-add').click();
   const dialog = page.getByRole('dialog');
-  await expect(dialog.getByLabel('Value')).toHaveValue(value);
-  await dialog.getByLabel('Reason').fill(reason);
+  await expect(dialog.getByLabel('Value')).toHaveValue('0');
+  await dialog.getByLabel('Reason').fill('wire broken');
   await dialog.getByRole('button', { name: /^Force/ }).click();
 }
 
@@ -91,6 +91,7 @@ test('54: a CPU 315 forces inputs and outputs, and says so', async ({ page, requ
 
 test('55, 56: a trigger keeps its moment, and the cursor is the scan of the page', async ({ page, request }) => {
   await open(page, '#watch');
+  await expect(id(page, 'watch-row-Q0.0')).toBeVisible();
   await id(page, 'trigger').fill('VALVE rises');
   await id(page, 'trigger').press('Enter');
   await expect(id(page, 'trigger-state')).not.toContainText('triggered');
@@ -116,6 +117,7 @@ test('55, 56: a trigger keeps its moment, and the cursor is the scan of the page
 
 test('55: a trigger that means nothing is said', async ({ page }) => {
   await open(page, '#watch');
+  await expect(id(page, 'watch-row-Q0.0')).toBeVisible();
   await id(page, 'trigger').fill('when it rains');
   await id(page, 'trigger').press('Enter');
   await expect(id(page, 'toast')).toBeVisible();
