@@ -20,6 +20,7 @@ use sieben_cpu::Restart;
 use sieben_engine::machine::Registers;
 use sieben_lang::reason::Language;
 use sieben_model::block::BlockId;
+use sieben_model::mnemonics::Mnemonics;
 use sieben_workbench::access::Access;
 use sieben_workbench::{Listed, Page, Projects, Reference, Setup, View, listen};
 use sieben_workspace::control::{CurrentFacts, Facts};
@@ -47,7 +48,7 @@ impl Reference for Nothing {
     fn blocks(&self, _: &Build) -> Value {
         Value::Null
     }
-    fn block(&self, _: &Build, _: BlockId, _: View) -> Result<Value, Refusal> {
+    fn block(&self, _: &Build, _: BlockId, _: (View, Option<Mnemonics>)) -> Result<Value, Refusal> {
         Ok(Value::Null)
     }
     fn symbols(&self, _: &Build) -> Value {
