@@ -137,12 +137,28 @@ export interface Info {
   connections: number;
 }
 
-/** An answer that is no success: the code and the sentence of the product. */
+/** What ran when a statement sent the CPU to STOP. */
+export interface Stacks {
+  n: number;
+  /** What the statement could not do. */
+  reason: string | null;
+  /** The register that was wrong. */
+  register: { name: string; value: string } | null;
+  source: { line: number; text: string; failed: boolean }[];
+  /** The block stack, innermost first. */
+  b: { block: string; symbol: string; network: number; line: number | null; db: number; di: number }[];
+  /** Registers before the statement. */
+  i: Record<string, string | number> & { bits: Record<string, number | boolean> };
+  /** Local data. */
+  l: { block: string; bytes: string; more: number }[];
+}
+
 /** What became of each value that was to be written. */
 interface Written {
   items: { name: string; error?: { code: string; message: string } }[];
 }
 
+/** An answer that is no success: the code and the sentence of the product. */
 export class Problem extends Error {
   readonly status: number;
   readonly code: string;
@@ -208,6 +224,7 @@ export const rest = {
   plants: () => call<PlantHead[]>('GET', 'plants'),
   clients: () => call<Client[]>('GET', 'clients'),
   info: () => call<Info>('GET', 'info'),
+  stacks: (mnemonics: string) => call<Stacks | null>('GET', `stacks?mnemonics=${mnemonics}`),
   about: (op: string) => call<{ text: string }>('GET', `explain/${name(op)}`),
   watch: (file: string) => call<WatchRow[]>('GET', `watch/${name(file)}`),
   watches: () => call<string[]>('GET', 'watch'),

@@ -65,9 +65,9 @@ export interface Client {
   protocol: string;
   peer: string;
   role?: Role;
-  /** Requests in the last second. */
-  reads: number;
-  writes: number;
+  /** Requests of a client of a server in the last second. */
+  reads?: number;
+  writes?: number;
   last?: { name: string; n: number; t_us: number; from: string; to: string };
 }
 
@@ -78,7 +78,8 @@ export interface DiagnosticEvent {
   detail: string;
   /** Time of the CPU as it writes it. */
   time: string;
-  n: number;
+  /** In which scan; not known of events before the run. */
+  n: number | null;
   kind: 'error' | 'warning' | 'mode' | 'load' | 'info';
   place?: { block: string; network: number; line: number };
 }

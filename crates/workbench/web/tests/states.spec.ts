@@ -81,6 +81,9 @@ test.describe('with a programming error', () => {
     await expect(id(page, 'state-message')).toContainText('The CPU is in STOP');
     await id(page, 'nav-cpu').click();
     await expect(id(page, 'event-text')).toContainText(/programming error/i);
+    await expect(id(page, 'stop-source').locator('.failed')).toContainText('OPN');
+    await expect(id(page, 'stack-b')).toContainText('OB 1, line 9');
+    await expect(id(page, 'stack-i')).toContainText('RLO');
     await id(page, 'event-open').click();
     await expect(id(page, 'stl-row-9')).toBeVisible();
     await expect(id(page, 'stl-row-9')).toHaveAttribute('aria-selected', 'true');
