@@ -29,7 +29,10 @@ export class Lanes {
     this.#asking = true;
     try {
       const got = await page.history(ask[0], ask[1], channels, POINTS);
-      if (got === null) return;
+      // Each channel begins with the value that it had: without one no scan of these is kept yet.
+      if (got === null || Object.values(got.channels).every((points) => points.length === 0)) return;
+      // The newest scans may not be kept yet: what is known ends where the answer does.
+      const end = Math.min(ask[1], got.to);
       const before = known && this.to >= 0 && ask[0] <= this.to + 1;
       const next: Record<string, [number, number][]> = {};
       for (const name of channels) {
@@ -40,8 +43,8 @@ export class Lanes {
       }
       if (before) {
         this.from = Math.min(this.from, ask[0]);
-        this.to = Math.max(this.to, ask[1]);
-      } else [this.from, this.to] = ask;
+        this.to = Math.max(this.to, end);
+      } else [this.from, this.to] = [ask[0], end];
       if (this.to - this.from > KEEP) {
         this.from = this.to - KEEP / 2;
         for (const name of channels) next[name] = cut(next[name] ?? [], this.from);
