@@ -7,8 +7,9 @@
 #![allow(clippy::print_stdout)] // A measurement prints its figures.
 
 mod scan;
+#[path = "../tests/pages/socket.rs"]
+mod socket;
 
-use std::io::{BufRead, BufReader, Read, Write};
 use std::net::{SocketAddr, TcpStream};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
@@ -27,6 +28,7 @@ use sieben_workspace::control::{CurrentFacts, Facts};
 use sieben_workspace::project::Build;
 use sieben_workspace::status::Desk;
 use sieben_workspace::{Driver, Gate, Pace, Plant, Refusal, Speed};
+use socket::Page as Client;
 
 /// The allocator of the command line.
 #[global_allocator]
@@ -86,79 +88,28 @@ impl Projects for Nothing {
     }
 }
 
-/// A page without a browser.
-struct Client(BufReader<TcpStream>);
-
-impl Client {
-    fn connect(address: SocketAddr) -> Self {
-        let mut stream = TcpStream::connect(address).expect("the server accepts");
-        stream.set_read_timeout(Some(Duration::from_secs(30))).expect("a timeout");
-        let head = format!(
-            "GET /ws HTTP/1.1\r\nHost: {address}\r\nUpgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\n\
-             Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n"
-        );
-        stream.write_all(head.as_bytes()).expect("the server reads");
-        let mut client = Self(BufReader::new(stream));
-        let mut line = String::new();
-        while line != "\r\n" {
-            line.clear();
-            assert!(client.0.read_line(&mut line).expect("a head") > 0, "the connection ends");
-        }
-        client.say(&json!({ "t": "hello", "v": 1, "lang": "en" }));
-        let names: Vec<String> = (0..20).map(|number| format!("DB1.DBW {}", number * 2)).collect();
-        client.say(&json!({ "t": "sub", "id": "r", "what": "rows", "block": "OB1", "from": 0, "to": 40, "reason": 3 }));
-        client.say(&json!({ "t": "sub", "id": "t", "what": "tags", "names": names }));
-        for what in ["leds", "changes", "cycle", "plant", "forces"] {
-            client.say(&json!({ "t": "sub", "id": what, "what": what }));
-        }
-        client
+/// A page that shows what pages show.
+fn client(address: SocketAddr) -> Client {
+    let stream = TcpStream::connect(address).expect("the server accepts");
+    stream.set_read_timeout(Some(Duration::from_secs(30))).expect("a timeout");
+    let mut client = Client::new(stream, "/ws", &address.to_string());
+    client.say(&json!({ "t": "hello", "v": 1, "lang": "en" }));
+    let names: Vec<String> = (0..20).map(|number| format!("DB1.DBW {}", number * 2)).collect();
+    client.say(&json!({ "t": "sub", "id": "r", "what": "rows", "block": "OB1", "from": 0, "to": 40, "reason": 3 }));
+    client.say(&json!({ "t": "sub", "id": "t", "what": "tags", "names": names }));
+    for what in ["leds", "changes", "cycle", "plant", "forces"] {
+        client.say(&json!({ "t": "sub", "id": what, "what": what }));
     }
+    client
+}
 
-    /// A frame with a mask of zeros.
-    fn say(&mut self, message: &Value) {
-        let bytes = message.to_string().into_bytes();
-        let mut frame = vec![0x81];
-        match u8::try_from(bytes.len()) {
-            Ok(length @ 0..126) => frame.push(0x80 | length),
-            _ => {
-                frame.push(0x80 | 126);
-                frame.extend((bytes.len() as u16).to_be_bytes());
-            }
-        }
-        frame.extend([0; 4]);
-        frame.extend(bytes);
-        self.0.get_mut().write_all(&frame).expect("the server reads");
+/// Takes messages in until the end; how many bytes came.
+fn look_until(client: &mut Client, end: Instant) -> u64 {
+    let begin = client.bytes_in;
+    while Instant::now() < end {
+        client.next().expect("a frame");
     }
-
-    /// Takes messages in until the end; how many bytes came.
-    fn look_until(&mut self, end: Instant) -> u64 {
-        let mut bytes = 0;
-        while Instant::now() < end {
-            let mut head = [0; 2];
-            self.0.read_exact(&mut head).expect("a frame");
-            let length = match head[1] & 0x7F {
-                126 => {
-                    let mut length = [0; 2];
-                    self.0.read_exact(&mut length).expect("a frame");
-                    u64::from(u16::from_be_bytes(length))
-                }
-                127 => {
-                    let mut length = [0; 8];
-                    self.0.read_exact(&mut length).expect("a frame");
-                    u64::from_be_bytes(length)
-                }
-                length => u64::from(length),
-            };
-            let mut payload = vec![0; length as usize];
-            self.0.read_exact(&mut payload).expect("a frame");
-            bytes += length + 2;
-            let message: Value = serde_json::from_slice(&payload).expect("JSON");
-            if message["t"] == "scan" {
-                self.say(&json!({ "t": "ack", "seq": message["seq"] }));
-            }
-        }
-        bytes
-    }
+    client.bytes_in - begin
 }
 
 /// How long a scan is held up by the copies that its recording is made of, in microseconds: what it takes beside one that is not recorded.
@@ -212,14 +163,14 @@ fn main() {
                 if Instant::now() >= end {
                     break;
                 }
-                let mut clients: Vec<Client> = (0..KINDS[number].1).map(|_| Client::connect(address)).collect();
+                let mut clients: Vec<Client> = (0..KINDS[number].1).map(|_| client(address)).collect();
                 std::thread::scope(|pages| {
                     let (settled, until) = (Instant::now() + SLICE / 4, Instant::now() + SLICE);
                     for client in &mut clients {
                         let (bytes, looked) = (&bytes, &looked);
                         pages.spawn(move || {
-                            client.look_until(settled);
-                            let came = client.look_until(until);
+                            look_until(client, settled);
+                            let came = look_until(client, until);
                             if number == 1 {
                                 bytes.fetch_add(came, Ordering::Relaxed);
                                 looked.fetch_add((until - settled).as_micros() as u64, Ordering::Relaxed);
