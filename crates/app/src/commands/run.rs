@@ -1,5 +1,7 @@
 //! `sieben run [PATH]`: runs a project, in real time or as fast as it goes.
 
+mod around;
+
 use std::io;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -12,18 +14,17 @@ use serde_json::json;
 use sieben_cpu::{Cpu, DateAndTime, OperatingMode, Restart, Settings, StopRequest, TimeSource};
 use sieben_jit::StatusBits;
 use sieben_model::problems::Problem;
-use sieben_model::visible::visible;
 use sieben_workbench::Projects;
 use sieben_workspace::control::{CurrentFacts, Facts, watched};
 use sieben_workspace::controller;
 use sieben_workspace::duration;
-use sieben_workspace::exchange::{Next, exchange};
+use sieben_workspace::exchange::Next;
 use sieben_workspace::failed::{self, Failed};
 use sieben_workspace::gate::Clock;
 use sieben_workspace::observed::Observer;
 use sieben_workspace::project::{Build, Overrides};
 use sieben_workspace::status::Desk;
-use sieben_workspace::{Driver, Gate, Pace, Plant, Speed, Surroundings};
+use sieben_workspace::{Driver, Gate, Pace, Plant, Speed};
 
 use crate::arguments::{DiagnosticsArgument, FaultArguments, ProgramArguments, StrictArgument};
 use crate::chosen::{self, Change, Choice, Chosen, Prepare};
@@ -38,6 +39,8 @@ use crate::screen::{self, Direct, Screen};
 use crate::servers::{Always, Prepared, PreparedPage, ServerArguments, Servers, Usually};
 use crate::watch::{Losses, Watch};
 use crate::{output, terminal, watch};
+
+use around::{Around, Say};
 
 /// Exit code after a second Ctrl-C: what shells report for SIGINT.
 const INTERRUPTED: i32 = 130;
@@ -422,150 +425,6 @@ struct Outcome {
     interrupted: bool,
     /// A STOP did not end it, and was said when it came.
     stays: bool,
-}
-
-/// What stands around the run: retentive data, changed sources, what is said and printed, Ctrl-C.
-struct Around<'a> {
-    retention: Option<Retention>,
-    watch: Option<Watch>,
-    /// The program that runs.
-    build: &'a mut Build,
-    /// What those who come in from outside know of it.
-    facts: &'a CurrentFacts,
-    /// Which project runs; the page may change it.
-    chosen: &'a Chosen,
-    /// Nothing is said about online changes: the result is for a program.
-    quiet: bool,
-    /// The STOP that the CPU is in was said already, or is said at the end.
-    told_stop: bool,
-    /// No STOP ends the run.
-    stays: bool,
-    /// The first statement that failed, with its place in the program that ran then.
-    failed: Option<Failed>,
-    say: Say<'a>,
-    /// Finds what changed, where that is printed.
-    changes: Option<Observer>,
-    ending: &'a Ending,
-    /// What is printed cannot be printed any more.
-    is_broken: bool,
-}
-
-/// Says what happens while a run goes on: on the screen it is a note.
-#[derive(Clone, Copy)]
-struct Say<'a> {
-    desk: &'a Desk,
-    shown: Shown,
-}
-
-impl Say<'_> {
-    /// Says something; it may have colours.
-    fn say(&self, plant: &Plant, text: &str) {
-        match self.shown {
-            Shown::Screen => {
-                text.lines().filter(|line| !line.trim().is_empty()).for_each(|line| self.desk.observed.note(plant, line.trim_end()));
-            }
-            Shown::Changes | Shown::Messages => output::styled(text),
-        }
-    }
-}
-
-impl Surroundings for Around<'_> {
-    /// Another example takes the place of the project, if the page wants that.
-    fn exchange(&mut self, plant: &mut Plant) {
-        let Some(Change { example, build, next }) = self.chosen.take() else { return };
-        // Its retentive data is kept; that of the examples after it is in memory only.
-        if let Some(mut retention) = self.retention.take() {
-            retention.close(&mut plant.cpu);
-        }
-        *self.build = build;
-        (self.failed, self.told_stop) = (None, !self.stays);
-        exchange(plant, next, (self.say.desk, self.facts), self.ending.gate.now_us());
-        plant.cpu.measure_blocks();
-        if let Some(changes) = &mut self.changes {
-            *changes = Observer::new(watched(&self.facts.facts()));
-        }
-        if !self.quiet {
-            self.say.say(plant, &format!("The example `{}` runs now.\n", example.name));
-        }
-        self.chosen.took(example);
-    }
-
-    /// Keeps retentive data before the next scan releases the outputs of this one.
-    fn keep(&mut self, cpu: &mut Cpu) {
-        if let Some(retention) = &mut self.retention {
-            retention.keep(cpu);
-        }
-    }
-
-    /// Lets changed sources take over before the next scan.
-    fn at_point(&mut self, plant: &mut Plant) {
-        self.tell_stop(plant);
-        if let Some(watch) = &mut self.watch {
-            // Its place is one of the program that still runs.
-            if self.failed.is_none() {
-                self.failed = Failed::of(self.build, &plant.cpu);
-            }
-            let changes = watch.changes;
-            let mut said = Vec::new();
-            watch.poll(&mut plant.cpu, self.build, &mut |text| said.push(text.to_owned()));
-            if !self.quiet {
-                said.iter().for_each(|text| self.say.say(plant, text));
-            }
-            if watch.changes != changes {
-                self.replace_facts(&plant.cpu);
-            }
-        }
-        // A server may have linked or deleted data blocks.
-        if !Arc::ptr_eq(plant.cpu.program(), &self.facts.facts().program) {
-            self.replace_facts(&plant.cpu);
-        }
-    }
-
-    fn before_scan(&mut self, plant: &mut Plant) {
-        // The first look is at what was before the first scan.
-        if plant.scans == 0
-            && let Some(changes) = &mut self.changes
-        {
-            changes.observe(&plant.cpu, 0, &mut |_| {});
-        }
-    }
-
-    fn after_scan(&mut self, plant: &mut Plant) {
-        if let Some(changes) = &mut self.changes {
-            let lines = screen::changed(changes, plant, plant.cpu.time_us());
-            self.is_broken |= lines.iter().any(|line| output::print(line).is_err());
-        }
-    }
-
-    fn is_ended(&self) -> bool {
-        self.ending.is_wanted() || self.is_broken
-    }
-}
-
-impl Around<'_> {
-    /// Another program runs from now on.
-    fn replace_facts(&mut self, cpu: &Cpu) {
-        self.facts.replace(Facts::of(self.build, cpu.program()));
-        if let Some(changes) = &mut self.changes {
-            *changes = Observer::new(watched(&self.facts.facts()));
-        }
-    }
-
-    /// Says once why the CPU is in STOP, where the run goes on all the same.
-    fn tell_stop(&mut self, plant: &Plant) {
-        let cpu = &plant.cpu;
-        let cause = cpu.stop_cause().filter(|_| cpu.mode() == OperatingMode::Stop);
-        match cause {
-            Some(cause) if !self.told_stop => {
-                self.told_stop = true;
-                if !self.quiet {
-                    self.say.say(plant, &visible(&controller::stop_text(self.build, cause)));
-                }
-            }
-            None if self.stays => self.told_stop = false,
-            _ => {}
-        }
-    }
 }
 
 /// `, cycle 10.02 ms (min 9.98 ms, max 10.40 ms)`; nothing before the second scan, when no cycle is complete.
