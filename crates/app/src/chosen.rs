@@ -12,7 +12,7 @@ use sieben_workbench::{Listed, Projects};
 use sieben_workspace::exchange::Next;
 use sieben_workspace::project::{Build, Overrides, Project};
 use sieben_workspace::watch_table::{ENDING, WATCH_BYTES_MAX};
-use sieben_workspace::{Gate, Refusal, finding};
+use sieben_workspace::{Closed, Gate, Refusal, finding};
 
 use crate::examples::{self, Example};
 use crate::files;
@@ -68,10 +68,6 @@ fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-fn over() -> Refusal {
-    Refusal::new(Problem::P7094, "the run is over")
-}
-
 impl Chosen {
     /// The project that a run begins with, and the folder that it was read from.
     pub(crate) fn new(choice: Choice, home: Option<&Path>, gate: &Arc<Gate>, prepare: Prepare) -> Self {
@@ -119,7 +115,7 @@ impl Chosen {
         let mut runs = lock(&self.runs);
         while runs.1 <= before {
             if self.gate.is_closed() {
-                return Err(over());
+                return Err(Closed.into());
             }
             if Instant::now() >= deadline {
                 drop(lock(&self.wanted).take());
@@ -153,7 +149,7 @@ impl Projects for Chosen {
             .ok_or_else(|| Refusal::new(Problem::P7145, "there is no such example").help(format!("there are {}", names())))?;
         let _changing = lock(&self.changing);
         if self.gate.is_closed() {
-            return Err(over());
+            return Err(Closed.into());
         }
         let change = (self.prepare)(example)?;
         let before = lock(&self.runs).1;

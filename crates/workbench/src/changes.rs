@@ -1,7 +1,7 @@
 //! What changed, and who did it: the statement that wrote the value, or the client or page that asked for it.
 
 use std::collections::{BTreeMap, VecDeque};
-use std::sync::{Mutex, PoisonError};
+use std::sync::Mutex;
 
 use serde_json::{Value as Json, json};
 use sieben_engine::{FaultPlace, Machine, StatementEvent, Stored, Tracer};
@@ -16,6 +16,7 @@ use sieben_workspace::past::Viewer;
 use crate::hub::Hub;
 use crate::live::content::Content;
 use crate::live::program::Known;
+use crate::lock;
 
 /// Requests that are remembered.
 const REQUESTS_MAX: usize = 500;
@@ -44,10 +45,6 @@ struct Found {
     viewer: Viewer,
     /// Of each entry what it says of its author.
     of_entries: BTreeMap<u64, Option<(&'static str, Json)>>,
-}
-
-fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 impl Authors {
@@ -169,16 +166,13 @@ impl Hub {
             }
             let by: BTreeMap<u64, FaultPlace> = writers.sought.iter().filter_map(|one| Some((one.entry, one.writer?))).collect();
             for &(number, address) in changed {
-                let statement = by.get(&number).map(|&place| ("by", self.place_json(program, place)));
+                let statement = by.get(&number).map(|&place| {
+                    let line = program.lines(place.block).get(place.statement as usize).copied();
+                    ("by", program.place_json(place, line))
+                });
                 let author = statement.or_else(|| self.authors.peer(program, address, scan).map(|peer| ("peer", json!(peer))));
                 found.of_entries.insert(number, author);
             }
         }
-    }
-
-    fn place_json(&self, program: &Known, place: FaultPlace) -> Json {
-        let block: String = place.block.to_string().split_whitespace().collect();
-        let line = program.lines(place.block).get(place.statement as usize).copied();
-        json!({ "block": block, "network": program.network(place), "line": line })
     }
 }

@@ -1,11 +1,13 @@
 //! Who is connected: clients of servers with what they wrote last, and pages.
 
 use std::collections::HashMap;
-use std::sync::{Mutex, PoisonError};
+use std::sync::Mutex;
 
 use serde_json::{Value as Json, json};
 use sieben_model::address::Operand;
 use sieben_workspace::control::{Client, Facts};
+
+use crate::lock;
 
 /// Over so many microseconds requests are counted for a rate.
 const RATE_US: u64 = 1_000_000;
@@ -27,7 +29,7 @@ pub(crate) struct Rates(Mutex<HashMap<String, Counted>>);
 impl Rates {
     /// Reads and writes in a second, of each of these.
     fn of(&self, clients: &[(String, Client)], now_us: u64) -> Vec<(u64, u64)> {
-        let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut known = lock(&self.0);
         known.retain(|id, _| clients.iter().any(|(other, _)| other == id));
         let rate = |(id, client): &(String, Client)| {
             let (reads, writes) = (client.reads, client.writes);

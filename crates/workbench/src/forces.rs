@@ -1,7 +1,7 @@
 //! Why operands are forced: who did it when, and the reason that was given, for everyone to see.
 
 use std::collections::BTreeMap;
-use std::sync::{Mutex, PoisonError};
+use std::sync::Mutex;
 
 use serde_json::{Value as Json, json};
 use sieben_cpu::Station;
@@ -9,6 +9,7 @@ use sieben_model::address::{Address, Area, Operand, Width};
 use sieben_model::mnemonics::Mnemonics;
 
 use crate::hub::Hub;
+use crate::lock;
 
 /// Reasons that are kept.
 const REASONS_MAX: usize = 1_000;
@@ -41,7 +42,7 @@ struct Forced {
 impl Forces {
     /// Keeps the reason for an address.
     pub(crate) fn note(&self, address: String, reason: Reason) {
-        let mut reasons = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut reasons = lock(&self.0);
         if reasons.len() < REASONS_MAX || reasons.contains_key(&address) {
             reasons.insert(address, reason);
         }
@@ -49,7 +50,7 @@ impl Forces {
 
     /// Another CPU runs: nothing is forced there yet.
     pub(crate) fn forget(&self) {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner).clear();
+        lock(&self.0).clear();
     }
 
     /// What is forced, with what is at the terminal, and why.
@@ -73,7 +74,7 @@ impl Forces {
         }) else {
             return json!([]);
         };
-        let mut reasons = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut reasons = lock(&self.0);
         let spelled = |forced: &Forced| forced.address.spell(Mnemonics::English);
         // A reason ends with its force, by whatever way that ended.
         reasons.retain(|address, _| forced.iter().any(|(one, _)| spelled(one) == *address));

@@ -5,7 +5,7 @@
 
 use std::collections::{BTreeMap, HashMap};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
 use serde_json::{Value as Json, json};
@@ -16,8 +16,7 @@ use sieben_model::item::Item;
 use sieben_model::value::Value;
 use sieben_sim::names::{Name, Shown};
 use sieben_sim::wrap;
-use sieben_workspace::control::answer::Answer;
-use sieben_workspace::control::{Control, CurrentFacts, Request};
+use sieben_workspace::control::CurrentFacts;
 use sieben_workspace::names::shown_json;
 use sieben_workspace::past::Viewer;
 use sieben_workspace::refusal::capitalized;
@@ -27,12 +26,14 @@ use tokio::sync::watch;
 
 use crate::changes::Authors;
 use crate::clients::Rates;
+use crate::cpu::{lamps, leds};
 use crate::forces::Forces;
 use crate::live::content::Content;
 use crate::live::message::Common;
 use crate::live::program::{Known, Said, Speech};
 use crate::live::shot::{Head, Shot};
 use crate::live::wanted::{AllWanted, Wanted};
+use crate::lock;
 use crate::moment::{Reasons, statements};
 use crate::reference::{Reference, View};
 
@@ -109,20 +110,6 @@ pub(crate) struct Hub {
     seen: Mutex<Option<Seen>>,
     newest: watch::Sender<Option<Arc<Shot>>>,
     ends: AtomicBool,
-}
-
-fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
-/// The mode in the words of the protocol.
-pub(crate) fn mode_word(mode: OperatingMode) -> &'static str {
-    match mode {
-        OperatingMode::Run => "run",
-        OperatingMode::Stop => "stop",
-        OperatingMode::Startup => "startup",
-        OperatingMode::Hold => "hold",
-    }
 }
 
 /// A value as pages take it: bits as true and false.
@@ -245,7 +232,7 @@ impl Hub {
     /// One look: at what the replay has seen, else at the CPU as it stands.
     fn look(&self, wanted: &Wanted, was_replayed: bool, looks: u64) -> Result<Shot, Closed> {
         let taken = if was_replayed { lock(&self.seen).take() } else { None };
-        let (program, is_replayed, (mut head, standing, forced)) = loop {
+        let (program, is_replayed, (mut head, standing, lamps)) = loop {
             let program = self.program();
             let items = self.items(wanted, &program);
             let is_replayed = taken.as_ref().is_some_and(|seen| seen.version == program.version);
@@ -253,7 +240,7 @@ impl Hub {
                 // Programs take over between two scans: at the gate it is certain which one runs.
                 (self.facts.version() == program.version).then(|| {
                     let standing = (!is_replayed).then(|| see(&plant.cpu, &items, wanted));
-                    (self.head(plant), standing, forced(plant))
+                    (self.head(plant), standing, lamps(plant))
                 })
             })?;
             if let Some(looked) = looked {
@@ -271,27 +258,19 @@ impl Hub {
             None => {
                 let (tags, plant) = standing.unwrap_or_default();
                 let newest = self.last_sample(head.newest, (wanted, &program), &mut reasons);
-                Seen {
-                    version: program.version,
-                    sample: newest,
-                    tags,
-                    plant,
-                    mode: mode_of(head.mode),
-                    scan: head.newest,
-                    time_us: head.newest_us,
-                }
+                Seen { version: program.version, sample: newest, tags, plant, mode: head.mode, scan: head.newest, time_us: head.newest_us }
             }
         };
         head.scan = seen.scan;
         head.time_us = seen.time_us;
-        head.mode = mode_word(seen.mode);
+        head.mode = seen.mode;
         head.same = seen.sample.as_ref().is_none_or(|sample| sample.same);
         let mut common = self.common(wanted, &program, looks);
         if let Some(plant) = seen.plant {
             common.insert(Common::Plant, plant);
         }
         if wanted.common.contains(&Common::Leds) {
-            common.insert(Common::Leds, leds(seen.mode, forced));
+            common.insert(Common::Leds, leds(seen.mode, lamps));
         }
         let before = self.before(&program);
         let flows = self.flows(wanted, &program, seen.sample.as_deref(), before.as_deref());
@@ -367,7 +346,7 @@ impl Hub {
         Head {
             scan: plant.scans,
             time_us: cpu.time_us(),
-            mode: mode_word(cpu.mode()),
+            mode: cpu.mode(),
             oldest: self.desk.past().range().map_or(plant.scans, |(first, _)| first.scan.min(plant.scans)),
             newest: plant.scans,
             newest_us: cpu.time_us(),
@@ -427,59 +406,6 @@ impl Hub {
         };
         servers.into_iter().chain(lock(&self.visitors).iter().map(page)).collect()
     }
-
-    /// The diagnostic buffer, newest first.
-    fn diagnostics(&self, program: &Known) -> Json {
-        let mut control = Control::new(Arc::clone(&self.facts));
-        let Ok(Answer::Diagnostics(diagnostics)) = control.answer(&self.gate, &self.desk, &Request::Diagnostics { after: 0 }) else {
-            return json!([]);
-        };
-        // What came since the last scan, while time stands still, came after it.
-        let newest = self.gate.look(|plant| plant.scans).ok();
-        let diagnosed = &self.desk.diagnosed;
-        let scan = |number: u64| if number > diagnosed.newest() { newest } else { diagnosed.scan(number) };
-        let entry = |entry: &sieben_workspace::control::answer::Entry| {
-            let place = entry.place.as_ref().map(|place| {
-                let block: String = place.block.to_string().split_whitespace().collect();
-                json!({ "block": block, "network": crate::reference::network(program, place), "line": place.line.as_ref().map(|(_, line)| line) })
-            });
-            let mut object = json!({
-                "id": format!("16#{:04X}", entry.event), "number": entry.number, "n": scan(entry.number), "text": entry.text, "detail": "",
-                "time": entry.time, "kind": event_kind(entry.event),
-            });
-            if let Some(place) = place {
-                object["place"] = place;
-            }
-            object
-        };
-        diagnostics.entries.iter().rev().map(entry).collect()
-    }
-
-    fn cycle(&self) -> Content {
-        let Ok((times, scans)) = self.gate.look(|plant| (plant.cpu.cycle_times(), plant.scan_times.clone())) else {
-            return Content::Whole(Json::Null);
-        };
-        let mean = scans.times.sum_us.checked_div(scans.times.count).unwrap_or(0);
-        let mut before = 0;
-        let mut lower = 0;
-        let classes = scans.times.up_to().map(|(end, count)| {
-            let class = json!([lower, count - before]);
-            (before, lower) = (count, end);
-            class
-        });
-        let mut classes: Vec<Json> = classes.collect();
-        classes.push(json!([lower, scans.times.count - before]));
-        let values = [
-            ("last_us", json!(times.last)),
-            ("min_us", json!(times.min)),
-            ("max_us", json!(times.max)),
-            ("mean_us", json!(mean)),
-            ("program_us", json!(times.execution_last)),
-            ("overruns", json!(scans.overruns)),
-            ("histogram", Json::Array(classes)),
-        ];
-        Content::Keyed(values.into_iter().map(|(key, value)| (key.to_owned(), value)).collect())
-    }
 }
 
 /// What is read at one moment: values by name, and the plants.
@@ -529,46 +455,6 @@ fn plant_json(plant: &wrap::Plant, put_out: &[u8]) -> Json {
         "faults": plant.faults().map(ToString::to_string).collect::<Vec<_>>(),
         "acting": plant.acting_faults().map(ToString::to_string).collect::<Vec<_>>(),
     })
-}
-
-fn mode_of(word: &str) -> OperatingMode {
-    let all = [OperatingMode::Run, OperatingMode::Stop, OperatingMode::Startup, OperatingMode::Hold];
-    all.into_iter().find(|&mode| mode_word(mode) == word).unwrap_or_default()
-}
-
-/// What the lamps of the CPU need beside its mode.
-#[derive(Clone, Copy)]
-struct Lamps {
-    is_forced: bool,
-    has_failed: bool,
-}
-
-fn forced(plant: &Plant) -> Lamps {
-    let has_failed = plant.cpu.failed_statements().count > 0 || plant.cpu.stop_cause().is_some_and(|cause| cause.place.is_some());
-    Lamps { is_forced: plant.cpu.forced().bytes().next().is_some(), has_failed }
-}
-
-/// The lamps: 0 off, 1 on, 2 flashing.
-fn leds(mode: OperatingMode, lamps: Lamps) -> Content {
-    let (run, stop) = match mode {
-        OperatingMode::Run => (1, 0),
-        OperatingMode::Stop => (0, 1),
-        OperatingMode::Startup | OperatingMode::Hold => (2, 1),
-    };
-    let values =
-        [("sf", u8::from(lamps.has_failed)), ("bf", 0), ("dc5v", 1), ("frce", u8::from(lamps.is_forced)), ("run", run), ("stop", stop)];
-    Content::Keyed(values.into_iter().map(|(name, value)| (name.to_owned(), json!(value))).collect())
-}
-
-/// What sort of event it is: the first digits are its class.
-fn event_kind(event: u16) -> &'static str {
-    match event >> 12 {
-        0x2 | 0x3 => "error",
-        0x4 if event & 0x0F00 == 0x0500 => "error",
-        0x4 => "mode",
-        0x5..=0x9 => "warning",
-        _ => "info",
-    }
 }
 
 /// Why a statement did what it did.

@@ -1,9 +1,12 @@
 //! The web page of a run: one port with the page itself, an interface over HTTP, a WebSocket for what is live, and the book.
 #![forbid(unsafe_code)]
 
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
 pub mod access;
 mod changes;
 mod clients;
+mod cpu;
 mod forces;
 mod http;
 mod hub;
@@ -17,9 +20,15 @@ mod stacks;
 mod stepping;
 
 pub use hub::PAGES_MAX;
+pub use live::program::word;
 pub use projects::{Listed, PROJECT, Projects};
 pub use reference::{Reference, View};
 pub use server::{MetricsText, Page, Setup, listen};
 
 /// The port of the page, where none is named.
 pub const PORT: u16 = 7300;
+
+/// A lock holds plain data: what a thread that panicked has left is still used.
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}

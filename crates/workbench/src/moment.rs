@@ -4,7 +4,7 @@ use std::collections::{BTreeSet, HashMap};
 use std::sync::Arc;
 
 use serde_json::Value as Json;
-use sieben_cpu::Cpu;
+use sieben_cpu::{Cpu, OperatingMode};
 use sieben_engine::{FaultPlace, Machine, StatementEvent, Tracer};
 use sieben_model::item::Item;
 use sieben_workspace::Refusal;
@@ -14,7 +14,7 @@ use sieben_workspace::status::{Calls, Instances, Sample, Statements, keep};
 use crate::hub::{Hub, item_of, reasons_of, see};
 use crate::live::content::Content;
 use crate::live::message::Common;
-use crate::live::program::{Known, Said};
+use crate::live::program::{Known, Said, word};
 use crate::live::shot::{Head, Position, Shot};
 use crate::live::wanted::Wanted;
 use crate::past::not_kept;
@@ -147,13 +147,13 @@ struct Read {
     mark: Mark,
     tags: HashMap<String, Json>,
     plant: Option<Content>,
-    mode: &'static str,
+    mode: OperatingMode,
 }
 
 impl Read {
     fn at(mark: Mark, cpu: &Cpu, items: &[(String, Option<Item>)], wanted: &Wanted) -> Self {
         let (tags, plant) = see(cpu, items, wanted);
-        Self { mark, tags, plant, mode: crate::hub::mode_word(cpu.mode()) }
+        Self { mark, tags, plant, mode: cpu.mode() }
     }
 }
 
@@ -174,7 +174,7 @@ pub(crate) fn shot(hub: &Hub, viewer: &mut Viewer, moment: Moment, wanted: &Want
         None => Arc::default(),
     };
     let position = last.map(|(place, reason)| Position {
-        block: place.block.to_string().split_whitespace().collect(),
+        block: word(place.block),
         index: place.statement,
         line: program.lines(place.block).get(place.statement as usize).copied().unwrap_or_default(),
         reason,

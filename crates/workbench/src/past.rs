@@ -16,6 +16,7 @@ use sieben_workspace::past::{Gone, Seen, Viewer};
 
 use crate::hub::{Hub, item_of};
 use crate::live::message::{History, Who};
+use crate::live::program::word;
 
 /// Scans that one question runs again at most: some seconds of work.
 const SCANS_MAX: u64 = 20_000;
@@ -164,16 +165,14 @@ pub(crate) fn who(hub: &Hub, viewer: &mut Viewer, asked: &Who, language: Languag
         };
         return Ok(json!({ "t": "who", "id": asked.id, "name": asked.name, "text": text }));
     };
-    let placed = facts.places().of(place);
-    let block: String = place.block.to_string().split_whitespace().collect();
-    let line = placed.line.as_ref().map_or(0, |(_, line)| *line);
+    let line = facts.places().of(place).line.map_or(0, |(_, line)| line);
     let text = match language {
         Language::English => format!("{} was written last by {}, line {line}, in scan {scan}.", asked.name, place.block),
         Language::German => format!("{} wurde zuletzt von {}, Zeile {line}, in Zyklus {scan} geschrieben.", asked.name, place.block),
     };
     Ok(json!({
-        "t": "who", "id": asked.id, "name": asked.name, "text": text, "block": block, "network": crate::reference::network(&program, &placed),
-        "line": line, "scan": scan,
+        "t": "who", "id": asked.id, "name": asked.name, "text": text, "block": word(place.block),
+        "network": program.network(place), "line": line, "scan": scan,
     }))
 }
 

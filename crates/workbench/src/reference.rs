@@ -8,10 +8,7 @@ use sieben_lang::reason::Language;
 use sieben_model::block::BlockId;
 use sieben_model::mnemonics::Mnemonics;
 use sieben_workspace::Refusal;
-use sieben_workspace::control::facts::Placed;
 use sieben_workspace::project::Build;
-
-use crate::live::program::Known;
 
 /// How the networks of a block are shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -54,11 +51,4 @@ pub trait Reference: Send + Sync {
     fn flow(&self, build: &Arc<Build>, of: (BlockId, u32, View), after: &mut dyn Iterator<Item = (u32, Registers)>) -> Json;
     /// What an instruction does, in a sentence or two; `None` if there is no such instruction.
     fn explain(&self, word: &str, language: Language) -> Option<String>;
-}
-
-/// The network of a statement, from 1.
-pub(crate) fn network(program: &Known, place: &Placed) -> Option<u32> {
-    let build = program.facts.build.as_ref()?;
-    let statement = u32::try_from(place.statement.checked_sub(1)?).ok()?;
-    build.compiled.bodies.get(&place.block)?.network(statement)
 }

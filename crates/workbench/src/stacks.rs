@@ -10,7 +10,7 @@ use sieben_workspace::past::{Seen, Viewer};
 use sieben_workspace::refusal::capitalized;
 
 use crate::hub::Hub;
-use crate::live::program::{Known, Speech};
+use crate::live::program::{Known, Speech, word};
 use crate::past::not_kept;
 
 /// Bytes of local data of a block that are shown.
@@ -68,21 +68,17 @@ pub(crate) fn stacks(hub: &Hub, speech: Speech) -> Result<Json, Refusal> {
     let block = |running: &Running| {
         let line = program.facts.places().of(running.place).line.map(|(_, line)| line);
         json!({
-            "block": word(running.place), "symbol": symbol(&program, running.place), "network": program.network(running.place), "line": line,
+            "block": word(running.place.block), "symbol": symbol(&program, running.place), "network": program.network(running.place), "line": line,
             "db": running.db, "di": running.di,
         })
     };
     Ok(json!({
         "n": scan, "text": format!("{}.", capitalized(text.trim_end_matches('.'))), "reason": why,
-        "place": { "block": word(place), "network": program.network(place), "line": line, "file": file },
+        "place": { "block": word(place.block), "network": program.network(place), "line": line, "file": file },
         "register": register(&program, (place, event), &watch.registers),
         "source": source(&program, place, line), "b": watch.running.iter().rev().map(block).collect::<Json>(),
         "i": interrupted(&watch.registers, cpu), "l": watch.running.iter().rev().map(|running| local(cpu, running)).collect::<Json>(),
     }))
-}
-
-fn word(place: FaultPlace) -> String {
-    place.block.to_string().split_whitespace().collect()
 }
 
 fn symbol(program: &Known, place: FaultPlace) -> String {
@@ -146,5 +142,5 @@ fn local(cpu: &Cpu, running: &Running) -> Json {
     let begin = memory.layout.local.start.saturating_add(base);
     let bytes = memory.arena.get(begin..begin.saturating_add(shown)).unwrap_or_default();
     let text: Vec<String> = bytes.iter().map(|byte| format!("{byte:02X}")).collect();
-    json!({ "block": word(running.place), "bytes": text.join(" "), "more": size - shown })
+    json!({ "block": word(running.place.block), "bytes": text.join(" "), "more": size - shown })
 }

@@ -14,17 +14,12 @@ use sieben_model::block::BlockId;
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
 use sieben_model::source::{FileId, Span};
-use sieben_workbench::View;
+use sieben_workbench::{View, word};
 use sieben_workspace::Refusal;
 use sieben_workspace::places::Places;
 use sieben_workspace::project::Build;
 
 use crate::diagrams::{CodeBlock, Diagrams, Form};
-
-/// `OB1`, as addresses of the page write it.
-fn word(block: BlockId) -> String {
-    block.to_string().split_whitespace().collect()
-}
 
 /// What begins an organization block.
 fn group(block: BlockId) -> &'static str {

@@ -21,7 +21,7 @@ use axum::body::{Body, Bytes};
 use axum::extract::{FromRequestParts, Request, WebSocketUpgrade};
 use axum::http::{HeaderMap, Method, Response, StatusCode, header, request::Parts};
 use sieben_model::problems::Problem;
-use sieben_workspace::Refusal;
+use sieben_workspace::{Closed, Refusal};
 
 pub(crate) use connections::serve;
 pub(crate) use limits::Limits;
@@ -130,7 +130,7 @@ async fn metrics(shared: &Arc<Shared>, method: &Method) -> Result<Response<Body>
     }
     let asked = Arc::clone(shared);
     let text = blocking(move || (asked.metrics)()).await?;
-    let text = text.ok_or_else(|| Refusal::new(Problem::P7094, "the run is over"))?;
+    let text = text.ok_or(Closed)?;
     Ok(response(StatusCode::OK, "text/plain; version=0.0.4; charset=utf-8", text))
 }
 

@@ -1,7 +1,7 @@
 //! The WebSocket of a page: frames in, scans out.
 
 use std::net::SocketAddr;
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
 use axum::body::Body;
@@ -10,8 +10,8 @@ use axum::http::Response;
 use serde_json::json;
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
-use sieben_workspace::Refusal;
 use sieben_workspace::past::Viewer;
+use sieben_workspace::{Closed, Refusal};
 use tokio::sync::watch;
 use tokio::time::timeout;
 
@@ -22,6 +22,7 @@ use crate::hub::{Hub, PAGES_MAX, Visitor};
 use crate::live::client::{Asked, Client, Live, bye, event};
 use crate::live::message::{At, FRAME_BYTES_MAX};
 use crate::live::shot::Shot;
+use crate::lock;
 use crate::moment::{self, Moment};
 use crate::past;
 use crate::server::Shared;
@@ -176,7 +177,7 @@ async fn serve(socket: &mut WebSocket, shared: &Arc<Shared>, page: u64, role: Ro
 }
 
 fn over() -> Refusal {
-    Refusal::new(Problem::P7094, "the run is over")
+    Closed.into()
 }
 
 /// The newest look.
@@ -277,8 +278,4 @@ async fn shown(shared: &Arc<Shared>, views: &mut Views, client: &Client, newest:
             (newest, Live::Yes, Some(refusal))
         }
     }
-}
-
-fn lock(replayer: &Mutex<Viewer>) -> MutexGuard<'_, Viewer> {
-    replayer.lock().unwrap_or_else(PoisonError::into_inner)
 }

@@ -6,12 +6,13 @@
 use std::collections::{BTreeMap, VecDeque};
 
 use serde_json::{Map, Value as Json, json};
+use sieben_cpu::OperatingMode;
 use sieben_workspace::Refusal;
 
 use super::content::Content;
 use super::message::{At, History, NAMES_MAX, Said, What, Who, parse, too_much};
 use super::program::Speech;
-use super::shot::{Position, Shot};
+use super::shot::{Position, Shot, mode_word};
 use super::wanted::Wanted;
 
 /// Subscriptions that a page has at most.
@@ -63,7 +64,7 @@ pub struct Client {
     /// The version of the program that it knows.
     program: Option<u64>,
     /// The scan and time of the last message: another one is news.
-    shown: Option<(u64, u64, &'static str, bool, Option<Position>)>,
+    shown: Option<(u64, u64, OperatingMode, bool, Option<Position>)>,
 }
 
 impl Default for Client {
@@ -236,7 +237,7 @@ impl Client {
         self.shown = Some(shown);
         self.sequence += 1;
         let mut message = json!({
-            "t": "scan", "seq": self.sequence, "n": head.scan, "t_us": head.time_us, "mode": head.mode, "oldest": head.oldest,
+            "t": "scan", "seq": self.sequence, "n": head.scan, "t_us": head.time_us, "mode": mode_word(head.mode), "oldest": head.oldest,
             "newest": head.newest, "newest_us": head.newest_us, "live": live == Live::Yes, "paused": head.paused, "speed": head.speed,
             "same": head.same,
         });

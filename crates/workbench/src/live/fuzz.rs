@@ -3,6 +3,8 @@
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
+use sieben_cpu::OperatingMode;
+
 use super::client::{Client, Live, MESSAGE_BYTES_MAX, bye};
 use super::program::Known;
 use super::shot::{Head, Shot};
@@ -20,7 +22,7 @@ pub fn fuzz(data: &[u8]) {
         }
         let wanted = client.wanted(&program);
         let tags: HashMap<_, _> = wanted.names.iter().map(|name| (name.clone(), number.into())).collect();
-        let head = Head { scan: number, mode: "run", ..Head::default() };
+        let head = Head { scan: number, mode: OperatingMode::Run, ..Head::default() };
         let shot = Shot {
             head,
             program: Arc::clone(&program),

@@ -1,8 +1,9 @@
 //! The program that runs, as pages need it: blocks by their words, and the lines of their statements.
 
 use std::collections::BTreeMap;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex};
 
+use serde_json::{Value as Json, json};
 use sieben_engine::FaultPlace;
 use sieben_lang::reason::Language;
 use sieben_model::block::{BlockId, BlockKind};
@@ -10,6 +11,8 @@ use sieben_model::mnemonics::Mnemonics;
 use sieben_model::source::FileId;
 use sieben_workspace::control::Facts;
 use sieben_workspace::status::Calls;
+
+use crate::lock;
 
 /// How sentences for a page are written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -43,6 +46,11 @@ impl Said {
         let at = Speech::all().position(|one| one == speech);
         at.and_then(|at| self.0.get(at)).map_or("", String::as_str)
     }
+}
+
+/// A block as pages call it: `OB1`.
+pub fn word(block: BlockId) -> String {
+    block.to_string().split_whitespace().collect()
 }
 
 /// A program with what was looked up in it.
@@ -94,6 +102,11 @@ impl Known {
         self.facts.build.as_ref()?.compiled.bodies.get(&place.block)?.network(place.statement)
     }
 
+    /// Where a statement stands, as pages take it.
+    pub fn place_json(&self, place: FaultPlace, line: Option<u32>) -> Json {
+        json!({ "block": word(place.block), "network": self.network(place), "line": line })
+    }
+
     /// A word for this program, another one for each that takes over.
     pub fn hash(&self) -> String {
         format!("{:x}", self.version)
@@ -101,7 +114,7 @@ impl Known {
 
     /// The line of each statement of a block; 0 for one that the compiler made.
     pub fn lines(&self, block: BlockId) -> Arc<[u32]> {
-        let mut known = self.lines.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut known = lock(&self.lines);
         let lines = known.entry(block).or_insert_with(|| {
             let count = self.facts.program.code.get(&block).map_or(0, |code| code.spans.len());
             let mut places = self.facts.places();

@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
 use serde_json::{Value as Json, json};
+use sieben_cpu::OperatingMode;
 use sieben_workspace::status::{Calls, Sample, Statements};
 
 use super::content::Content;
@@ -18,8 +19,8 @@ pub struct Head {
     pub scan: u64,
     /// Its time on the CPU, in microseconds.
     pub time_us: u64,
-    /// The operating mode: `run`, `stop`, `startup`, `hold`.
-    pub mode: &'static str,
+    /// The operating mode.
+    pub mode: OperatingMode,
     /// The oldest scan that can be shown.
     pub oldest: u64,
     /// The newest scan.
@@ -34,6 +35,16 @@ pub struct Head {
     pub same: bool,
     /// Why the CPU is in STOP.
     pub why: Option<String>,
+}
+
+/// The mode in the words of the protocol.
+pub(crate) fn mode_word(mode: OperatingMode) -> &'static str {
+    match mode {
+        OperatingMode::Run => "run",
+        OperatingMode::Stop => "stop",
+        OperatingMode::Startup => "startup",
+        OperatingMode::Hold => "hold",
+    }
 }
 
 /// The statement that has just run, where a scan is shown up to there.

@@ -3,13 +3,15 @@
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
+use sieben_cpu::OperatingMode;
+
 use super::super::program::Known;
 use super::super::shot::Head;
 use super::*;
 
 fn shot(scan: u64) -> Shot {
     Shot {
-        head: Head { scan, newest: scan, mode: "run", same: true, ..Head::default() },
+        head: Head { scan, newest: scan, mode: OperatingMode::Run, same: true, ..Head::default() },
         program: Arc::new(Known::new(0, Arc::default())),
         sample: None,
         position: None,
