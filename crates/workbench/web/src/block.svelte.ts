@@ -139,7 +139,7 @@ class Shown {
     return model;
   }
 
-  /** Everything anew: another program, other mnemonics. */
+  /** Everything from the beginning: another program, other mnemonics. */
   reload(): void {
     const before = this.model;
     if (before === null) return;

@@ -1,5 +1,6 @@
 /** Keys of the page: single letters while no text is typed. RUN, STOP and MRES have none. */
 import { rest } from './rest';
+import { added, keepAdded } from './watch/added';
 import { route, type View } from './route.svelte';
 import { page } from './state.svelte';
 import { t, type Word } from './words.svelte';
@@ -60,9 +61,8 @@ export async function toggle(): Promise<void> {
 
 export function addToWatch(address: string): void {
   if (address === '') return;
-  const added = JSON.parse(localStorage.getItem('watch-added') ?? '[]') as string[];
-  if (!added.includes(address)) localStorage.setItem('watch-added', JSON.stringify([...added, address]));
-  dispatchEvent(new CustomEvent('watch-added', { detail: address }));
+  const before = added();
+  if (!before.includes(address)) keepAdded([...before, address]);
   page.say(t('added', page.nameOf(address)));
 }
 

@@ -38,7 +38,7 @@ class Page {
   role = $state<'program' | 'view'>('program');
   cycleUs = $state(10_000);
   examples = $state<string[]>([]);
-  /** Grows when what REST gives has to be asked for anew. */
+  /** Grows when what REST gives has to be asked for again. */
   revision = $state(0);
 
   n = $state(0);
@@ -267,7 +267,7 @@ class Page {
     return `${prefix}${this.#next}`;
   }
 
-  /** Values by name, as long as somebody reads them. */
+  /** Values by name, as long as they are read. */
   watch(names: string[]): () => void {
     for (const name of names) this.#tagCounts.set(name, (this.#tagCounts.get(name) ?? 0) + 1);
     this.#tagsSoon();

@@ -222,7 +222,7 @@ const ANSWER_MS = 1000;
 const LOST_MS = 15_000;
 /** The connection is looked at so often. */
 const LOOK_MS = 500;
-/** What a page in sight gets, what one that nobody sees gets, and after how long it gets nothing at all. */
+/** What a page in sight gets, what a hidden one gets, and after how long it gets nothing at all. */
 const RATE = { seen: 20, hidden: 2, none: 0 };
 const HIDDEN_MS = 5 * 60_000;
 /** A page may say 50 things a second, of which 20 acknowledge: so many of the others at once, and so many a second. */

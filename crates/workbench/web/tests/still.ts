@@ -6,7 +6,7 @@ import { expect, id, type Sieben } from './sieben';
 const HELD_BEFORE = 90;
 /** Scans that are asked for at once: what changes in them is seen scan by scan. */
 const STEP_MAX = 100;
-/** So often a run is begun anew that was held too late. */
+/** So often a run that was held too late is begun again. */
 const ATTEMPTS = 10;
 
 /** How many scans a run has made. */

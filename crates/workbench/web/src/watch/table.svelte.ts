@@ -1,5 +1,6 @@
 /** The watch table: rows of a `*.watch` file and those that were added on this page. */
 import { Problem, rest, type WatchRow } from '../rest';
+import { added, keepAdded } from './added';
 import { page } from '../state.svelte';
 
 export interface Line extends WatchRow {
@@ -55,8 +56,8 @@ class Watch {
       const file = this.files.includes(wanted) || wanted.endsWith('.watch') ? wanted : (this.files[0] ?? '');
       const rows = file === '' ? usual() : await rest.watch(file);
       this.file = file;
-      const added = (JSON.parse(localStorage.getItem('watch-added') ?? '[]') as string[]).map((name) => ({ name, format: '', comment: '' }));
-      this.lines = [...rows, ...added].map(line);
+      const further = added().map((name) => ({ name, format: '', comment: '' }));
+      this.lines = [...rows, ...further].map(line);
     } catch (error) {
       page.fail(error);
     }
@@ -67,18 +68,11 @@ class Watch {
     const { address } = place(name);
     const comment = page.symbols.find((one) => one.address === address)?.comment ?? '';
     this.lines = [...this.lines, line({ name: address, format: '', comment }, this.lines.length)];
-    const added = JSON.parse(localStorage.getItem('watch-added') ?? '[]') as string[];
-    localStorage.setItem('watch-added', JSON.stringify([...added, address]));
+    keepAdded([...added(), address]);
   }
 
   format(row: Line, format: string): void {
     this.lines = this.lines.map((one) => (one.key === row.key ? { ...one, format } : one));
-  }
-
-  remove(row: Line): void {
-    this.lines = this.lines.filter((one) => one.key !== row.key);
-    const added = JSON.parse(localStorage.getItem('watch-added') ?? '[]') as string[];
-    localStorage.setItem('watch-added', JSON.stringify(added.filter((name) => name !== row.name)));
   }
 
   get ticked(): Line[] {
