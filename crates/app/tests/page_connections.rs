@@ -1,4 +1,4 @@
-//! Who is connected to a run with a page, and that nobody who only waits keeps others out: real processes, real sockets.
+//! Who is connected to a run with a page, and that connections that only wait keep no others out: real processes, real sockets.
 #![cfg(unix)]
 
 mod command;

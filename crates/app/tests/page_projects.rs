@@ -98,7 +98,7 @@ fn a_page_of_an_example_changes_to_another_and_everybody_stays() {
     let log = fs::read_to_string(folder.path().join(".sieben/audit.log")).expect("a log");
     assert!(log.contains(r#""what":"project","object":"star-delta","result":"ok""#), "{log}");
 
-    // And back; and once more to the same one, which begins anew.
+    // And back; and once more to the same one, which starts from the beginning.
     for name in ["dosing", "dosing", "traffic-light"] {
         let listed = serving.json("POST", "/api/v1/project", &json!({ "example": name }).to_string());
         assert_eq!(listed["name"], name);

@@ -82,6 +82,6 @@ mod tests {
             "the oldest are forgotten"
         );
         diagnosed.note_number(2, 5_000);
-        assert_eq!((diagnosed.scan(2), diagnosed.newest()), (Some(5_000), 2), "another CPU counts anew");
+        assert_eq!((diagnosed.scan(2), diagnosed.newest()), (Some(5_000), 2), "another CPU counts from 0 again");
     }
 }

@@ -1,6 +1,6 @@
 //! Another CPU takes the place of the one that runs, while all who look at the run stay: another project is chosen.
 //!
-//! What is known of the run begins anew with it: its program, what changed, its past, the status of its scans.
+//! What is known of the run starts from the beginning with it: its program, what changed, its past, the status of its scans.
 
 use sieben_cpu::Cpu;
 
@@ -21,8 +21,8 @@ pub struct Next {
 /// Puts it there. To be called by the thread that scans, in [`exchange`](crate::driver::Surroundings::exchange); the CPU starts right after.
 pub fn exchange(plant: &mut Plant, next: Next, (desk, facts): (&Desk, &CurrentFacts), real_us: u64) {
     plant.exchange(next.cpu, next.cycle_us, real_us);
-    desk.begin_anew();
-    facts.begin_anew(next.facts);
+    desk.reset();
+    facts.reset(next.facts);
 }
 
 #[cfg(test)]

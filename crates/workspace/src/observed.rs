@@ -188,7 +188,7 @@ impl Observed {
     }
 
     /// Another CPU runs from now on: what the one before did is forgotten, also its mode. Numbers go on.
-    pub(crate) fn begin_anew(&self) {
+    pub(crate) fn reset(&self) {
         self.mode.store(NO_MODE, Ordering::Relaxed);
         let mut entries = self.entries();
         *entries = Entries { count: entries.count, ..Entries::default() };

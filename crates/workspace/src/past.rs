@@ -128,7 +128,7 @@ impl Past {
     }
 
     /// Another CPU runs from now on: what was has nothing to do with it.
-    pub(crate) fn begin_anew(&self) {
+    pub(crate) fn reset(&self) {
         *self.lock() = Kept::default();
     }
 

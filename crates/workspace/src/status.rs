@@ -280,9 +280,9 @@ impl Desk {
     }
 
     /// Another CPU runs from now on: nothing that was seen of the one before is shown any more.
-    pub(crate) fn begin_anew(&self) {
-        self.observed.begin_anew();
-        self.past.begin_anew();
+    pub(crate) fn reset(&self) {
+        self.observed.reset();
+        self.past.reset();
         lock(&self.kept).clear();
         *lock(&self.like) = None;
         *lock(&self.recorded) = None;

@@ -90,7 +90,7 @@ impl ServerArguments {
         self.check(Kind::Page, wanted)?;
         let listener = match listen(wanted, chosen) {
             Ok(listener) => listener,
-            // A run that nobody wanted a page of goes on without.
+            // A run for which no page was asked goes on without one.
             Err(_) if !asked => return Ok(None),
             Err(error) => return Err(super::not_listening(Kind::Page, wanted, &error)),
         };

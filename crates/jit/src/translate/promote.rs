@@ -387,7 +387,7 @@ impl Translator<'_> {
         let promoted =
             Promoted { base, offset, width, in_data_block, variable, real, written, handed, own: false, first: it.first, last: it.last };
         match handed {
-            Some(_) => self.begin_anew(promoted),
+            Some(_) => self.reset(promoted),
             None => self.take(promoted),
         }
         self.promoted.push(promoted);
@@ -396,11 +396,11 @@ impl Translator<'_> {
     /// Forgets what the statement in front handed on, so that it takes no registers any more.
     pub(super) fn forget_what_was_handed(&mut self) {
         let depth = self.outer.len();
-        self.kept().into_iter().filter(|it| it.handed == Some(depth)).for_each(|it| self.begin_anew(it));
+        self.kept().into_iter().filter(|it| it.handed == Some(depth)).for_each(|it| self.reset(it));
     }
 
     /// Lets a register stand for bytes of which nobody needs what they are.
-    fn begin_anew(&mut self, promoted: Promoted) {
+    fn reset(&mut self, promoted: Promoted) {
         let none = self.b.ins().iconst(type_of(promoted.width), 0);
         self.b.def_var(promoted.variable, none);
         if let Some(variable) = promoted.real {

@@ -1,5 +1,5 @@
 //! The connections of the server: so many at a time, each with a time in which it has to say what it wants. Where there are too many, the one
-//! that has done nothing for the longest time makes room, so that those who only wait keep nobody out.
+//! that has done nothing for the longest time makes room, so that connections that only wait keep no others out.
 
 use std::collections::BTreeMap;
 use std::convert::Infallible;

@@ -67,7 +67,7 @@ async fn watch(shared: &Arc<Shared>, events: &mpsc::Sender<String>) {
             let mut control = Control::new(Arc::clone(&hub.facts));
             let state = control.answer(&hub.gate, &hub.desk, &Request::State);
             let Ok(Answer::State(state)) = state else { return None };
-            // Another CPU counts its entries anew.
+            // Another CPU counts its entries from 0 again.
             let after = after.map(|(run, after)| if run == state.run { after } else { 0 });
             let new = after.filter(|&after| state.newest_entry > after);
             let entries = new.map(|after| control.answer(&hub.gate, &hub.desk, &Request::Diagnostics { after }));

@@ -197,7 +197,7 @@ impl Client {
         })
     }
 
-    /// Another project runs from now on: what the page is sent before it is welcomed anew. It has no subscriptions any more.
+    /// Another project runs from now on: what the page is sent before it is welcomed again. It has no subscriptions any more.
     pub fn moves(&mut self, program: &super::program::Known, project: &str) -> String {
         self.subscriptions.clear();
         self.forget();

@@ -98,7 +98,7 @@ mod tests {
         assert_eq!((*all.together()).clone(), wanted(&["b", "c"]));
         let before = all.together();
         all.set(2, Some(wanted(&["b", "c"])));
-        assert!(Arc::ptr_eq(&before, &all.together()), "what is the same is not made anew");
+        assert!(Arc::ptr_eq(&before, &all.together()), "what is the same is not made again");
         all.set(2, None);
         assert_eq!((all.pages(), (*all.together()).clone()), (0, Wanted::default()));
     }

@@ -310,7 +310,7 @@ impl CurrentFacts {
     }
 
     /// Another CPU runs from now on.
-    pub(crate) fn begin_anew(&self, facts: Facts) {
+    pub(crate) fn reset(&self, facts: Facts) {
         let run = self.facts().run + 1;
         self.put(Facts { run, ..facts });
     }
