@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Mutex};
 
 use sieben_cpu::{Cpu, OperatingMode, Rack, Requester, Restart, Settings, TimeSource};
 use sieben_engine::{Machine, StatementEvent, Tracer};
@@ -63,6 +64,11 @@ enum Modules {
 
 /// A gate whose clock is late again and again, before a project that runs in machine code and real time.
 fn gate(build: &Build, modules: Modules) -> Gate {
+    watched_gate(build, modules, || {})
+}
+
+/// As [`gate`]; whenever the clock is read, in a scan too, `look` is called.
+fn watched_gate(build: &Build, modules: Modules, look: impl Fn() + Send + Sync + 'static) -> Gate {
     let settings = Settings { time: TimeSource::Real, ..controller::settings(build) };
     let engine = |program: &_, layout: &_| Jit::compiled(program, layout, StatusBits::Needed).expect("the example becomes machine code");
     let rack = match modules {
@@ -72,8 +78,9 @@ fn gate(build: &Build, modules: Modules) -> Gate {
     let cpu = Cpu::new(controller::loaded(build, engine), rack, settings);
     let looks = AtomicU64::new(0);
     let clock = move || {
-        let look = looks.fetch_add(1, Ordering::Relaxed);
-        look * 900 + look / 17 * 12_000
+        look();
+        let asked = looks.fetch_add(1, Ordering::Relaxed);
+        asked * 900 + asked / 17 * 12_000
     };
     let mut plant = Plant::new(cpu, Pace::new(Speed::Factor(1.0), 10_000, u64::MAX, 0));
     plant.stay_in_stop();
@@ -193,6 +200,23 @@ fn one_scan_is_traced_statement_by_statement() {
     viewer.each(desk.past(), (90, 1_000), read).expect("all can be replayed");
     assert_eq!(values, (90..140).map(|scan| (scan, true)).collect::<Vec<_>>());
     assert_eq!(desk.past().scan_at(seen.times[&77]), Some(77));
+}
+
+#[test]
+fn scans_that_ended_are_seen_while_the_next_one_runs() {
+    let desk = Arc::new(Desk::default());
+    let newest = Arc::new(Mutex::new(Vec::new()));
+    let look = {
+        let (desk, newest) = (Arc::clone(&desk), Arc::clone(&newest));
+        move || newest.lock().expect("one thread").push(desk.past().range().map(|(_, newest)| newest.scan))
+    };
+    let gate = watched_gate(&example("dosing"), Modules::OfTheProject, look);
+    desk.past().keep();
+    let mut seen = Seen { most: 250, ..Seen::default() };
+    assert_eq!(Driver::new(&gate, &desk, &mut seen).run(Restart::Warm), End::Ended);
+    let newest = newest.lock().expect("one thread");
+    let looks: Vec<Option<u64>> = newest.iter().copied().skip_while(Option::is_none).collect();
+    assert!(looks.len() > 500 && looks.is_sorted() && looks.last() >= Some(&Some(249)), "{looks:?}");
 }
 
 #[test]

@@ -45,7 +45,7 @@ use crate::system_state;
 
 pub use loaded::Loaded;
 pub use online_change::ChangeRefused;
-pub use replay::{NotReplayed, RecordedScan, Recording, Replayer, Step};
+pub use replay::{NotReplayed, RecordedScan, RecordedStep, Recording, Replayer, Step};
 pub use retentive::DataLoss;
 pub use scan::ScanReport;
 pub use snapshot::{EndState, Snapshot};

@@ -8,7 +8,7 @@ use std::collections::VecDeque;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use sieben_cpu::{Cpu, NotReplayed, OperatingMode, Recording, Replayer, Step};
+use sieben_cpu::{Cpu, NotReplayed, OperatingMode, RecordedStep, Recording, Replayer, Step};
 use sieben_engine::Tracer;
 
 use crate::gate::Plant;
@@ -143,30 +143,31 @@ impl Past {
         if !self.is_kept.load(Ordering::Relaxed) {
             return run(plant, clock);
         }
-        let mut stretch = self.take_open(plant);
+        self.go_on_or_begin(plant);
         // The thread that scans counts afterwards.
         let scan = plant.scans + u64::from(step == Step::Scan && plant.cpu.mode() != OperatingMode::Stop);
-        let done = stretch.recording.step(plant, (|plant: &mut Plant| &mut plant.cpu, step), clock, run);
-        stretch.marks.push(Mark { scan, time_us: plant.cpu.time_us() });
-        if self.is_kept.load(Ordering::Relaxed) {
-            self.lock().open = Some(stretch);
+        let (done, step) = RecordedStep::of(plant, (|plant: &mut Plant| &mut plant.cpu, step), clock, run);
+        // What was forgotten in the meantime stays so.
+        if let Some(open) = &mut self.lock().open {
+            open.recording.push(step);
+            open.marks.push(Mark { scan, time_us: plant.cpu.time_us() });
         }
         done
     }
 
-    /// The stretch that goes on, or a new one.
-    fn take_open(&self, plant: &mut Plant) -> Stretch {
+    /// Sees to it that a stretch is open to which the next step of a CPU belongs. Others look at it while the step runs.
+    fn go_on_or_begin(&self, plant: &mut Plant) {
         let touched = std::mem::take(&mut plant.touched);
-        let open = self.lock().open.take();
-        let like = match open {
-            Some(open) if !touched && open.goes_on(plant) => return open,
-            open => open.map(Arc::new),
+        let like = {
+            let mut kept = self.lock();
+            if !touched && kept.open.as_ref().is_some_and(|open| open.goes_on(plant)) {
+                return;
+            }
+            kept.open.take().map(|ended| kept.close(ended))
         };
         let recording = Recording::new(&plant.cpu, like.as_ref().map(|like| &like.recording));
-        if let Some(like) = like {
-            self.lock().close(like);
-        }
-        Stretch { begins: Mark { scan: plant.scans, time_us: plant.cpu.time_us() }, recording, marks: Vec::new() }
+        let begins = Mark { scan: plant.scans, time_us: plant.cpu.time_us() };
+        self.lock().open = Some(Stretch { begins, recording, marks: Vec::new() });
     }
 
     fn lock(&self) -> MutexGuard<'_, Kept> {
@@ -209,10 +210,11 @@ impl Past {
 }
 
 impl Kept {
-    fn close(&mut self, stretch: Arc<Stretch>) {
+    fn close(&mut self, stretch: Stretch) -> Arc<Stretch> {
+        let stretch = Arc::new(stretch);
         self.bytes += stretch.recording.bytes();
         let now_us = stretch.ends().time_us;
-        self.closed.push_back(stretch);
+        self.closed.push_back(Arc::clone(&stretch));
         while self.closed.len() > 1
             && (self.bytes > BYTES_MAX
                 || self.closed.front().is_some_and(|oldest| oldest.ends().time_us.saturating_add(TIME_US_MAX) < now_us))
@@ -221,6 +223,7 @@ impl Kept {
                 self.bytes -= oldest.recording.bytes().min(self.bytes);
             }
         }
+        stretch
     }
 }
 

@@ -40,6 +40,14 @@ struct Done {
     readings: usize,
 }
 
+/// What came in while a CPU took a step.
+#[derive(Debug)]
+pub struct RecordedStep {
+    step: Step,
+    clock: Vec<u64>,
+    readings: Vec<Reading>,
+}
+
 /// Steps of a CPU from one moment on, with all that came in while they ran. Nothing else may have happened to the CPU between them.
 #[derive(Clone, Debug)]
 pub struct Recording {
@@ -105,6 +113,28 @@ impl Beginning {
     }
 }
 
+impl RecordedStep {
+    /// Lets a CPU take one step and records it. `cpu` says where the CPU is in `plant`, `run` takes the step with the clock that it is given.
+    pub fn of<P, R>(
+        plant: &mut P,
+        (cpu, step): (impl Fn(&mut P) -> &mut Cpu, Step),
+        clock: &mut dyn FnMut() -> u64,
+        run: impl FnOnce(&mut P, &mut dyn FnMut() -> u64) -> R,
+    ) -> (R, Self) {
+        let begun = cpu(plant).rack.begin_record();
+        let mut kept = Vec::new();
+        let done = run(plant, &mut || {
+            let now = clock();
+            if kept.len() < READINGS_MAX {
+                kept.push(now);
+            }
+            now
+        });
+        let readings = cpu(plant).rack.end_record(begun);
+        (done, Self { step, clock: kept, readings })
+    }
+}
+
 impl Recording {
     /// A recording that begins with a CPU as it is now. What did not change since another one began is shared with that.
     pub fn new(cpu: &Cpu, like: Option<&Self>) -> Self {
@@ -116,26 +146,12 @@ impl Recording {
         Self { beginning: Arc::new(beginning), steps: Vec::new(), clock: Vec::new(), readings: Vec::new() }
     }
 
-    /// Lets a CPU take one step and records it. `cpu` says where the CPU is in `plant`, `run` takes the step with the clock that it is given.
-    pub fn step<P, R>(
-        &mut self,
-        plant: &mut P,
-        (cpu, step): (impl Fn(&mut P) -> &mut Cpu, Step),
-        clock: &mut dyn FnMut() -> u64,
-        run: impl FnOnce(&mut P, &mut dyn FnMut() -> u64) -> R,
-    ) -> R {
-        let begun = cpu(plant).rack.begin_record();
-        let kept = &mut self.clock;
-        let done = run(plant, &mut || {
-            let now = clock();
-            if kept.len() < READINGS_MAX {
-                kept.push(now);
-            }
-            now
-        });
-        self.readings.append(&mut cpu(plant).rack.end_record(begun));
+    /// Adds the step that followed.
+    pub fn push(&mut self, RecordedStep { step, clock, mut readings }: RecordedStep) {
+        let room = READINGS_MAX.saturating_sub(self.clock.len());
+        self.clock.extend(clock.into_iter().take(room));
+        self.readings.append(&mut readings);
         self.steps.push(Done { step, readings: self.clock.len() });
-        done
     }
 
     /// How many steps it has.
@@ -267,7 +283,8 @@ impl Cpu {
     /// As [`Self::scan_with`], with a recording for a [`Replayer`]. What did not change since the end of the recording `like` is shared with it.
     pub fn scan_recorded(&mut self, clock: &mut dyn FnMut() -> u64, like: Option<&EndState>) -> (ScanReport, RecordedScan) {
         let mut recording = Recording::from(self, self.snapshot_after(like));
-        let report = recording.step(self, (|cpu: &mut Self| cpu, Step::Scan), clock, |cpu, clock| cpu.scan_with(clock, None));
+        let (report, step) = RecordedStep::of(self, (|cpu: &mut Self| cpu, Step::Scan), clock, |cpu, clock| cpu.scan_with(clock, None));
+        recording.push(step);
         let after = Arc::new(EndState::of(self, &recording.beginning.before));
         (report, RecordedScan { recording, after, report })
     }
