@@ -31,6 +31,12 @@ impl Diagnosed {
         self.note_number(plant.cpu.diagnostic_buffer().newest_number(), scan);
     }
 
+    /// Another CPU runs from now on, with a buffer of its own.
+    pub(crate) fn reset(&self) {
+        self.came.lock().unwrap_or_else(PoisonError::into_inner).clear();
+        self.newest.store(0, Ordering::Relaxed);
+    }
+
     fn note_number(&self, up_to: u64, scan: u64) {
         let known = self.newest.swap(up_to, Ordering::Relaxed);
         if known == up_to {

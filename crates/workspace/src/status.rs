@@ -282,6 +282,7 @@ impl Desk {
     /// Another CPU runs from now on: nothing that was seen of the one before is shown any more.
     pub(crate) fn reset(&self) {
         self.observed.reset();
+        self.diagnosed.reset();
         self.past.reset();
         lock(&self.kept).clear();
         *lock(&self.like) = None;

@@ -110,7 +110,7 @@ pub struct Values {
 }
 
 /// What came of items.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Done {
     /// The last scan before it; `None` if nothing was done.
     pub scan: Option<u64>,

@@ -7,7 +7,7 @@ use crate::refusal::Refusal;
 /// Something that a request has changed, or was refused to change.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Change {
-    /// What was done: `write`, `press`, `force`, `unforce`, `stop`, `start`, `memory_reset`, `fault`, `fault_end`, `project`.
+    /// What was done: `write`, `press`, `force`, `unforce`, `stop`, `start`, `memory_reset`, `fault`, `fault_end`, `time`, `project`.
     pub what: &'static str,
     /// To what, as it was named.
     pub object: Option<String>,
@@ -56,13 +56,13 @@ pub(super) fn of(request: &Request, answer: &Result<Answer, Refusal>) -> Vec<Cha
         Request::Mode(ModeChange::MemoryReset) => vec![one("memory_reset", None, None)],
         Request::Faults(FaultChange::Inject(fault)) => vec![one("fault", Some(fault), None)],
         Request::Faults(FaultChange::Mend(signal)) => vec![one("fault_end", Some(signal), None)],
+        Request::Time(change) => vec![one("time", None, Some(&change.to_string()))],
         Request::Faults(FaultChange::None)
         | Request::State
         | Request::Read(_)
         | Request::Diagnostics { .. }
         | Request::Blocks { .. }
         | Request::Status { .. }
-        | Request::Time(_)
         | Request::Plants
         | Request::Listing { .. }
         | Request::Names { .. }

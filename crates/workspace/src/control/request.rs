@@ -123,6 +123,17 @@ pub enum TimeChange {
     Speed(Speed),
 }
 
+impl std::fmt::Display for TimeChange {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Pause => f.write_str("pause"),
+            Self::Go => f.write_str("go"),
+            Self::Step(scans) => write!(f, "step {scans}"),
+            Self::Speed(speed) => write!(f, "speed {speed}"),
+        }
+    }
+}
+
 /// What happens to the faults of plants.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum FaultChange {
