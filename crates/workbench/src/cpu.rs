@@ -3,9 +3,8 @@
 use std::sync::Arc;
 
 use serde_json::{Value as Json, json};
-use sieben_cpu::OperatingMode;
+use sieben_cpu::{Cpu, OperatingMode};
 use sieben_engine::FaultPlace;
-use sieben_workspace::Plant;
 use sieben_workspace::control::answer::Answer;
 use sieben_workspace::control::{Control, Request};
 
@@ -79,9 +78,9 @@ pub(crate) struct Lamps {
 }
 
 /// What is to be seen of them.
-pub(crate) fn lamps(plant: &Plant) -> Lamps {
-    let has_failed = plant.cpu.failed_statements().count > 0 || plant.cpu.stop_cause().is_some_and(|cause| cause.place.is_some());
-    Lamps { is_forced: plant.cpu.forced().bytes().next().is_some(), has_failed }
+pub(crate) fn lamps(cpu: &Cpu) -> Lamps {
+    let has_failed = cpu.failed_statements().count > 0 || cpu.stop_cause().is_some_and(|cause| cause.place.is_some());
+    Lamps { is_forced: cpu.forced().bytes().next().is_some(), has_failed }
 }
 
 /// The lamps: 0 off, 1 on, 2 flashing.

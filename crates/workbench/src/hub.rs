@@ -240,7 +240,7 @@ impl Hub {
                 // Programs take over between two scans: at the gate it is certain which one runs.
                 (self.facts.version() == program.version).then(|| {
                     let standing = (!is_replayed).then(|| see(&plant.cpu, &items, wanted));
-                    (self.head(plant), standing, lamps(plant))
+                    (self.head(plant), standing, lamps(&plant.cpu))
                 })
             })?;
             if let Some(looked) = looked {

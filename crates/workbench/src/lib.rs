@@ -28,6 +28,11 @@ pub use server::{MetricsText, Page, Setup, listen};
 /// The port of the page, where none is named.
 pub const PORT: u16 = 7300;
 
+/// A hash of bytes that is the same in every run: FNV-1a.
+fn fnv_1a(bytes: impl Iterator<Item = u8>) -> u64 {
+    bytes.fold(0xCBF2_9CE4_8422_2325_u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01B3))
+}
+
 /// A lock holds plain data: what a thread that panicked has left is still used.
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)

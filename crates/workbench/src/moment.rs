@@ -11,6 +11,7 @@ use sieben_workspace::Refusal;
 use sieben_workspace::past::{Mark, Seen, Viewer};
 use sieben_workspace::status::{Calls, Instances, Sample, Statements, keep};
 
+use crate::cpu::{Lamps, lamps, leds};
 use crate::hub::{Hub, item_of, reasons_of, see};
 use crate::live::content::Content;
 use crate::live::message::Common;
@@ -148,12 +149,13 @@ struct Read {
     tags: HashMap<String, Json>,
     plant: Option<Content>,
     mode: OperatingMode,
+    lamps: Lamps,
 }
 
 impl Read {
     fn at(mark: Mark, cpu: &Cpu, items: &[(String, Option<Item>)], wanted: &Wanted) -> Self {
         let (tags, plant) = see(cpu, items, wanted);
-        Self { mark, tags, plant, mode: cpu.mode() }
+        Self { mark, tags, plant, mode: cpu.mode(), lamps: lamps(cpu) }
     }
 }
 
@@ -167,7 +169,7 @@ pub(crate) fn shot(hub: &Hub, viewer: &mut Viewer, moment: Moment, wanted: &Want
     let mut told = Told::new(wanted, &program, moment.statements);
     let Seen { mark, cpu } = viewer.traced(hub.desk.past(), moment.scan, &mut told).map_err(not_kept)?;
     let time_us = if cpu.is_paused() { cpu.time_us() } else { mark.time_us };
-    let Read { mark, tags, plant, mode } = Read::at(Mark { time_us, ..mark }, cpu, &items, wanted);
+    let Read { mark, tags, plant, mode, lamps } = Read::at(Mark { time_us, ..mark }, cpu, &items, wanted);
     let Told { statements, reasons, count, last, .. } = told;
     let pending = match last {
         Some(_) => Arc::new(pending(hub, viewer, (moment.scan, count), (wanted, &statements))?),
@@ -184,6 +186,7 @@ pub(crate) fn shot(hub: &Hub, viewer: &mut Viewer, moment: Moment, wanted: &Want
     if let Some(plant) = plant {
         common.insert(Common::Plant, plant);
     }
+    common.insert(Common::Leds, leds(mode, lamps));
     let sample = sample(wanted, mark, statements);
     let flows = hub.flows(wanted, &program, Some(&sample), None);
     let head = Head { scan: mark.scan, time_us: mark.time_us, mode, same: true, why: None, ..now };

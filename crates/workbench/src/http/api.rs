@@ -14,6 +14,7 @@ use super::query::decoded;
 use super::routes::{Asked, ROUTES, Reply, Route};
 use super::{From, blocking, not_taken, openapi, refused, response};
 use crate::access::Denied;
+use crate::fnv_1a;
 use crate::server::Shared;
 
 /// Where the interface begins.
@@ -87,10 +88,9 @@ fn language(accepted: &str) -> Language {
     codes.filter_map(|code| Language::from_code(code.trim())).next().unwrap_or_default()
 }
 
-/// An answer with a tag: FNV-1a over its text.
+/// An answer with a tag: a hash of its text.
 fn tagged(kind: &str, text: String, known: Option<&str>) -> Response<Body> {
-    let hash = text.bytes().fold(0xCBF2_9CE4_8422_2325_u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01B3));
-    let tag = format!("\"{hash:016x}\"");
+    let tag = format!("\"{:016x}\"", fnv_1a(text.bytes()));
     let mut response = match known == Some(tag.as_str()) {
         true => response(StatusCode::NOT_MODIFIED, kind, Body::empty()),
         false => response(StatusCode::OK, kind, text),

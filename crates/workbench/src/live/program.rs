@@ -12,7 +12,7 @@ use sieben_model::source::FileId;
 use sieben_workspace::control::Facts;
 use sieben_workspace::status::Calls;
 
-use crate::lock;
+use crate::{fnv_1a, lock};
 
 /// How sentences for a page are written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -107,9 +107,10 @@ impl Known {
         json!({ "block": word(place.block), "network": self.network(place), "line": line })
     }
 
-    /// A word for this program, another one for each that takes over.
+    /// A word for this program: another one for each that takes over, and for other sources in another run.
     pub fn hash(&self) -> String {
-        format!("{:x}", self.version)
+        let texts = self.facts.sources.iter().flat_map(|(_, file)| [file.name.as_str(), file.text.as_str()]);
+        format!("{:016x}{:x}", fnv_1a(texts.flat_map(str::bytes)), self.version)
     }
 
     /// The line of each statement of a block; 0 for one that the compiler made.

@@ -108,7 +108,7 @@ impl Shot {
         }
     }
 
-    /// The same scan while the run goes on.
+    /// The same scan while the run goes on: the plant and the lamps are those of the scan, what is forced, who is connected and what is noted are those of now.
     #[must_use]
     pub fn with_head_of(&self, newest: &Self) -> Self {
         let now = &newest.head;
@@ -120,7 +120,11 @@ impl Shot {
             speed: now.speed,
             ..self.head.clone()
         };
-        Self { head, ..self.clone() }
+        let of_the_scan = |common: &Common| matches!(common, Common::Plant | Common::Leds);
+        let mut common = newest.common.clone();
+        common.retain(|common, _| !of_the_scan(common));
+        common.extend(self.common.iter().filter(|(common, _)| of_the_scan(common)).map(|(&common, content)| (common, content.clone())));
+        Self { head, common, ..self.clone() }
     }
 
     /// Whether there is anything of it in this scan: what was asked for after the scan comes with the next one.
