@@ -20,8 +20,10 @@ use crate::live::program::word;
 
 /// Scans that one question runs again at most: some seconds of work.
 const SCANS_MAX: u64 = 20_000;
-/// Points that a channel of an answer has at most.
+/// Points that all channels of an answer have together at most.
 const POINTS_MAX: usize = 10_000;
+/// Points that are kept of a group of them.
+const GROUP_POINTS: usize = 4;
 /// Scans that are looked through at a time for who wrote a value, from the newest on.
 const WRITERS_STEP: u64 = 500;
 
@@ -64,24 +66,20 @@ impl Changes<'_> {
     }
 }
 
-/// As few points as are wanted, with the least and the greatest of those that are left out.
+/// As few points as are wanted: of each group the first, the least, the greatest and the last one.
 fn thinned(points: Vec<(u64, f64)>, most: usize) -> Vec<(u64, f64)> {
-    if points.len() <= most || most < 2 {
+    if points.len() <= most {
         return points;
     }
-    let group = points.len().div_ceil(most / 2);
-    let mut thin = Vec::with_capacity(most);
-    for chunk in points.chunks(group) {
+    let groups = (most / GROUP_POINTS).max(1);
+    let mut thin = Vec::with_capacity(groups * GROUP_POINTS);
+    for chunk in points.chunks(points.len().div_ceil(groups)) {
         let least = chunk.iter().min_by(|one, other| one.1.total_cmp(&other.1));
         let greatest = chunk.iter().max_by(|one, other| one.1.total_cmp(&other.1));
-        let (Some(least), Some(greatest)) = (least, greatest) else { continue };
-        thin.push(*least);
-        if least.0 != greatest.0 {
-            thin.push(*greatest);
-        }
-        if let Some([one, other]) = thin.last_chunk_mut::<2>().filter(|[one, other]| one.0 > other.0) {
-            std::mem::swap(one, other);
-        }
+        let mut kept: Vec<(u64, f64)> = [chunk.first(), least, greatest, chunk.last()].into_iter().flatten().copied().collect();
+        kept.sort_by_key(|&(scan, _)| scan);
+        kept.dedup_by_key(|&mut (scan, _)| scan);
+        thin.append(&mut kept);
     }
     thin
 }
@@ -102,7 +100,8 @@ pub(crate) fn history(hub: &Hub, viewer: &mut Viewer, asked: &History) -> Result
     };
     viewer.each(hub.desk.past(), (from, asked.to), look).map_err(not_kept)?;
     let (first, last) = changes.seen.unwrap_or((asked.to, asked.to));
-    let most = if asked.points == 0 { POINTS_MAX } else { asked.points.min(POINTS_MAX) };
+    let share = POINTS_MAX / asked.channels.len().max(1);
+    let most = if asked.points == 0 { share } else { asked.points.min(share) };
     let points = changes
         .points
         .into_iter()
@@ -150,7 +149,11 @@ pub(crate) fn who(hub: &Hub, viewer: &mut Viewer, asked: &Who, language: Languag
         let from = to.saturating_sub(WRITERS_STEP - 1).max(least);
         for scan in from..=to {
             let mut writer = Writer { name: &name, is_pending: false, place: None };
-            viewer.traced(hub.desk.past(), scan, &mut writer).map_err(not_kept)?;
+            match viewer.traced(hub.desk.past(), scan, &mut writer) {
+                // The oldest scans are forgotten while they are looked for.
+                Ok(_) | Err(Gone::NotKept) => {}
+                Err(error) => return Err(not_kept(error)),
+            }
             found = writer.place.map(|place| (place, scan)).or(found);
         }
         match from.checked_sub(1) {
@@ -247,8 +250,10 @@ mod tests {
     fn thinning_keeps_what_stands_out() {
         let points: Vec<(u64, f64)> = (0..10_000).map(|scan| (scan, if scan == 5_555 { 1_000.0 } else { (scan % 10) as f64 })).collect();
         let thin = thinned(points.clone(), 100);
-        assert!(thin.len() <= 101 && thin.iter().any(|&(scan, value)| (scan, value) == (5_555, 1_000.0)), "{}", thin.len());
+        assert!(thin.len() <= 100 && thin.iter().any(|&(scan, value)| (scan, value) == (5_555, 1_000.0)), "{}", thin.len());
         assert!(thin.windows(2).all(|pair| pair[0].0 < pair[1].0), "in their order");
+        assert_eq!((thin.first(), thin.last()), (points.first(), points.last()), "what it begins and ends with");
         assert_eq!(thinned(points[..50].to_vec(), 100), points[..50]);
+        assert_eq!(thinned(points, 1).len(), GROUP_POINTS);
     }
 }

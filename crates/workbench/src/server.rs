@@ -9,7 +9,7 @@ use std::time::Duration;
 use sieben_workspace::Gate;
 use sieben_workspace::control::CurrentFacts;
 use sieben_workspace::status::Desk;
-use tokio::sync::oneshot;
+use tokio::sync::{Semaphore, oneshot};
 
 use crate::access::Access;
 use crate::http::{self, Limits};
@@ -19,6 +19,8 @@ use crate::reference::Reference;
 
 /// Threads that wait for the CPU on behalf of requests.
 const WAITING_THREADS_MAX: usize = 16;
+/// Questions about many scans of the past that are answered at a time; those of pages wait.
+pub(crate) const QUESTIONS_MAX: usize = 4;
 /// How long pages get to hear of the end.
 const FAREWELL: Duration = Duration::from_millis(200);
 
@@ -51,6 +53,8 @@ pub(crate) struct Shared {
     pub(crate) projects: Arc<dyn Projects>,
     pub(crate) metrics: MetricsText,
     pub(crate) limits: Limits,
+    /// One for each question about many scans of the past.
+    pub(crate) questions: Semaphore,
 }
 
 /// A server of the page, until this is dropped.
@@ -85,7 +89,15 @@ impl Page {
         let authors = Arc::clone(&hub.authors);
         hub.facts.add_listener(Box::new(move |peer, changes| authors.note(peer, changes)));
         hub.desk.set_onlooker(Arc::clone(&hub) as Arc<dyn sieben_workspace::status::Onlooker>);
-        let shared = Arc::new(Shared { hub: Arc::clone(&hub), access, reference, projects, metrics, limits: Limits::default() });
+        let shared = Arc::new(Shared {
+            hub: Arc::clone(&hub),
+            access,
+            reference,
+            projects,
+            metrics,
+            limits: Limits::default(),
+            questions: Semaphore::new(QUESTIONS_MAX),
+        });
         let runtime = tokio::runtime::Builder::new_current_thread().enable_all().max_blocking_threads(WAITING_THREADS_MAX).build()?;
         let (end, ends) = oneshot::channel();
         let spawn = |name: &str, body: Box<dyn FnOnce() + Send>| std::thread::Builder::new().name(name.to_owned()).spawn(body);

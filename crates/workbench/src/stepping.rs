@@ -129,8 +129,8 @@ impl Steps<'_> {
     }
 }
 
-/// Where a page stands, which scan is the newest, and whether it may let the CPU run.
-type Standing = (Option<Moment>, u64, bool);
+/// Where a page stands, which scan is the newest, and who lets the CPU run, if that may be.
+type Standing = (Option<Moment>, u64, Option<String>);
 
 /// Where so many steps lead; `None` is the newest scan from then on.
 ///
@@ -139,7 +139,7 @@ type Standing = (Option<Moment>, u64, bool);
 pub(crate) fn step(
     hub: &Hub,
     viewer: &mut Viewer,
-    (from, newest, may_run): Standing,
+    (from, newest, runs): Standing,
     (wanted, unit, steps): (&Wanted, Unit, i64),
 ) -> Result<Option<Moment>, Refusal> {
     let end_of = |scan| Moment { scan, statements: None };
@@ -150,7 +150,7 @@ pub(crate) fn step(
         let to = scan.saturating_add_signed(steps);
         let more = to.saturating_sub(newest);
         if is_paused && more > 0 {
-            run(hub, more, may_run)?;
+            run(hub, more, runs.as_deref())?;
         }
         return Ok((to < newest).then(|| end_of(to)));
     }
@@ -165,7 +165,7 @@ pub(crate) fn step(
             true => match all.on(viewer, at)? {
                 Some(next) => next,
                 None if is_paused => {
-                    run(hub, 1, may_run)?;
+                    run(hub, 1, runs.as_deref())?;
                     let next = all.on(viewer, at)?;
                     next.ok_or_else(|| Refusal::new(Problem::P7139, "the CPU has run no scan: it is in STOP"))?
                 }
@@ -178,10 +178,10 @@ pub(crate) fn step(
 }
 
 /// Lets a CPU whose time stands still run scans.
-fn run(hub: &Hub, scans: u64, may_run: bool) -> Result<(), Refusal> {
-    if !may_run {
+fn run(hub: &Hub, scans: u64, peer: Option<&str>) -> Result<(), Refusal> {
+    let Some(peer) = peer else {
         return Err(Refusal::new(Problem::P7133, "the token of this page is for looking; letting the CPU run a scan takes the other one"));
-    }
+    };
     let (_, request) = parse(json!({ "verb": "time", "time": "step", "scans": scans }).to_string().as_bytes());
-    Control::new(Arc::clone(&hub.facts)).answer(&hub.gate, &hub.desk, &request?).map(drop)
+    Control::of_peer(Arc::clone(&hub.facts), peer.to_owned()).answer(&hub.gate, &hub.desk, &request?).map(drop)
 }

@@ -73,7 +73,7 @@ impl ServerArguments {
         usually: Usually,
     ) -> Result<Option<PreparedPage>, Failure> {
         let exposed = self.exposed(Kind::Page);
-        let asked = self.page.is_some() || exposed.is_some();
+        let asked = self.page.is_some() || exposed.is_some() || self.open;
         if self.no_page || !asked && usually == Usually::Without {
             return Ok(None);
         }

@@ -125,7 +125,7 @@ async fn body_bytes(body: Body) -> Result<Bytes, Refusal> {
 
 /// The numbers of the run, as Prometheus takes them.
 async fn metrics(shared: &Arc<Shared>, method: &Method) -> Result<Response<Body>, Refusal> {
-    if *method != Method::GET {
+    if !matches!(*method, Method::GET | Method::HEAD) {
         return Err(not_taken(method, &["GET"]));
     }
     let asked = Arc::clone(shared);

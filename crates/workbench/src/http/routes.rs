@@ -8,7 +8,7 @@ use sieben_model::block::BlockId;
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
 use sieben_workspace::Refusal;
-use sieben_workspace::control::answer::Answer;
+use sieben_workspace::control::answer::{Answer, Done};
 use sieben_workspace::control::changes::Change;
 use sieben_workspace::control::{Control, Request, parse};
 use sieben_workspace::project::Build;
@@ -22,7 +22,7 @@ use crate::live::program::Speech;
 use crate::past::{self, Written};
 use crate::projects::PROJECT;
 use crate::reference::View;
-use crate::server::Shared;
+use crate::server::{QUESTIONS_MAX, Shared};
 
 /// What is answered.
 pub(super) enum Reply {
@@ -120,7 +120,7 @@ pub(super) const ROUTES: &[Route] = &[
     get("forces", "What is forced, to what, by whom and why.", |asked| Ok(Reply::Json(asked.shared.hub.forces.json(&asked.shared.hub)))),
     change(Method::Post, "forces", "Forces a value, with a reason that everyone sees.", Some(r#"{"name":"I 0.1","value":"1","reason":"sensor is exchanged"}"#), force),
     change(Method::Delete, "forces", "Nothing is forced any more.", None, |asked| { asked.control(&Request::UnforceAll)?; Ok(asked.forces()) }),
-    change(Method::Delete, "forces/{name}", "This is not forced any more.", None, |asked| { asked.control(&Request::Unforce(asked.captured.clone()))?; Ok(asked.forces()) }),
+    change(Method::Delete, "forces/{name}", "This is not forced any more.", None, |asked| { asked.done(&Request::Unforce(asked.captured.clone()))?; Ok(asked.forces()) }),
     Route { query: &[Parameter { name: "after", about: "the number of the last entry that is known" }, Parameter { name: "format", about: "`text` for a text to save" }], ..get("diagnostics", "The diagnostic buffer.", diagnostics) },
     get("clients", "Who is connected to servers and looks at pages.", |asked| Ok(Reply::Json(asked.shared.hub.clients()))),
     get("plants", "The simulated plants with their terminals.", plants),
@@ -139,6 +139,15 @@ impl Asked<'_> {
     fn control_answer(&self, request: &Request) -> Result<Answer, Refusal> {
         let hub = &self.shared.hub;
         Control::of_peer(std::sync::Arc::clone(&hub.facts), self.peer.clone()).answer(&hub.gate, &hub.desk, request)
+    }
+
+    /// Asks for a change of one thing.
+    fn done(&self, request: &Request) -> Result<Done, Refusal> {
+        let Answer::Done(mut done) = self.control_answer(request)? else { return Ok(Done::default()) };
+        match done.items.pop() {
+            Some((_, Err(refusal))) => Err(refusal),
+            _ => Ok(done),
+        }
     }
 
     /// Asks what the control socket is asked too.
@@ -259,17 +268,14 @@ fn force(asked: &Asked<'_>) -> Result<Reply, Refusal> {
         return Err(wrong("`reason` is text of at most 500 bytes"));
     }
     let (_, request) = parse(json!({ "verb": "force", "values": { name: value } }).to_string().as_bytes());
-    let Answer::Done(done) = asked.control_answer(&request?)? else { return Ok(Reply::Nothing) };
-    if let Some((_, Err(refusal))) = done.items.into_iter().next() {
-        return Err(refusal);
-    }
+    let done = asked.done(&request?)?;
     let facts = asked.shared.hub.facts.facts();
     let plain = name.trim().trim_matches('"');
     let operand = Operand::parse(plain).or_else(|| facts.symbols.operand(plain));
-    let address = operand.map_or_else(|| plain.to_owned(), |operand| operand.spell(Mnemonics::English));
     let hub = &asked.shared.hub;
-    let since = hub.gate.enter(|plant| plant.cpu.clock().display())?;
+    let since = hub.gate.look(|plant| plant.cpu.clock().display())?;
     let by = asked.peer.clone();
+    let Some(Operand::Address(address)) = operand else { return Ok(asked.forces()) };
     hub.forces.note(address, Reason { text: reason.to_owned(), by, since, scan: done.scan.unwrap_or_default() });
     Ok(asked.forces())
 }
@@ -295,7 +301,7 @@ fn plants(asked: &Asked<'_>) -> Result<Reply, Refusal> {
     use sieben_sim::wrap;
     let hub = &asked.shared.hub;
     let facts = hub.facts.facts();
-    let heads = hub.gate.enter(|plant| {
+    let heads = hub.gate.look(|plant| {
         let head = |plant: &wrap::Plant| {
             let (inputs, outputs) = (plant.inputs().start, plant.outputs().start);
             (plant.name().to_owned(), plant.kind(), plant.device().signals().to_vec(), inputs, outputs)
@@ -364,6 +370,9 @@ fn trace(asked: &Asked<'_>) -> Result<Reply, Refusal> {
     let word = asked.query.get("format").unwrap_or("csv");
     let known = Written::ALL.iter().find(|(known, ..)| *known == word);
     let &(_, written, kind) = known.ok_or_else(|| wrong("`format` is `csv`, `vcd` or `svg`"))?;
+    let _one = asked.shared.questions.try_acquire().map_err(|_| {
+        Refusal::new(Problem::P7136, format!("{QUESTIONS_MAX} questions about the past are being answered already")).help("ask again")
+    })?;
     let text = past::trace(&asked.shared.hub, (scan("from")?, scan("to")?), asked.query.get("channels").unwrap_or_default(), written)?;
     Ok(Reply::Text(kind, text))
 }

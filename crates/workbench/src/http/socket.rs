@@ -19,7 +19,7 @@ use super::api::peer_text;
 use super::blocking;
 use crate::access::Role;
 use crate::hub::{Hub, PAGES_MAX, Visitor};
-use crate::live::client::{Asked, Client, Live, bye, event};
+use crate::live::client::{Asked, Client, GONE_US, Live, bye, event};
 use crate::live::message::{At, FRAME_BYTES_MAX};
 use crate::live::shot::Shot;
 use crate::lock;
@@ -42,9 +42,9 @@ pub(super) fn upgrade(upgrade: WebSocketUpgrade, shared: Arc<Shared>, peer: Sock
     let upgrade = upgrade.max_message_size(READ_BYTES_MAX).max_frame_size(READ_BYTES_MAX);
     upgrade.on_upgrade(move |mut socket| async move {
         let visitor = Visitor { peer: peer_text(peer), role };
-        let end = match shared.hub.enter(visitor) {
+        let end = match shared.hub.enter(visitor.clone()) {
             Some(page) => {
-                let end = serve(&mut socket, &shared, page, role).await;
+                let end = serve(&mut socket, &shared, page, &visitor).await;
                 shared.hub.leave(page);
                 end
             }
@@ -85,7 +85,7 @@ async fn receive(socket: &mut WebSocket) -> Result<Option<Vec<u8>>, Option<Refus
 ///
 /// # Errors
 /// It is sent away.
-async fn serve(socket: &mut WebSocket, shared: &Arc<Shared>, page: u64, role: Role) -> Result<(), Refusal> {
+async fn serve(socket: &mut WebSocket, shared: &Arc<Shared>, page: u64, visitor: &Visitor) -> Result<(), Refusal> {
     let hub = &shared.hub;
     let mut client = Client::default();
     let mut views = Views { at: None, moved: false, replayer: Arc::default() };
@@ -97,10 +97,11 @@ async fn serve(socket: &mut WebSocket, shared: &Arc<Shared>, page: u64, role: Ro
         Ok(Ok(None)) => b"{\"t\":\"hello\",\"v\":1}".to_vec(),
         Ok(Err(None)) => return Ok(()),
         Ok(Err(Some(refusal))) => return Err(refusal),
-        Err(_) => return Err(Refusal::new(Problem::P7131, "a page says `hello` within ten seconds")),
+        Err(_) => return Err(Refusal::new(Problem::P7131, format!("a page says `hello` within {} seconds", HELLO_WAIT_MAX.as_secs()))),
     };
     client.hear(&first, hub.gate.now_us())?;
     let asked = Arc::clone(shared);
+    let role = visitor.role;
     let (mut run, text) = blocking(move || welcome(&asked, role)).await?;
     if send(socket, text).await.is_err() {
         return Ok(());
@@ -108,7 +109,7 @@ async fn serve(socket: &mut WebSocket, shared: &Arc<Shared>, page: u64, role: Ro
     loop {
         let now_us = hub.gate.now_us();
         if client.is_gone(now_us) {
-            return Err(Refusal::new(Problem::P7130, "no message was acknowledged for 15 seconds"));
+            return Err(Refusal::new(Problem::P7130, format!("no message was acknowledged for {} seconds", GONE_US / 1_000_000)));
         }
         let due = client.due_us(now_us).map(|due| Duration::from_micros(due.saturating_sub(now_us)));
         let has_news = matches!(due, Some(due) if due.is_zero());
@@ -118,11 +119,15 @@ async fn serve(socket: &mut WebSocket, shared: &Arc<Shared>, page: u64, role: Ro
                 Ok(None) => {}
                 Ok(Some(frame)) => {
                     let asked = client.hear(&frame, hub.gate.now_us())?;
-                    hub.wanted.set(page, Some(client.wanted(&hub.program())));
+                    if client.take_changed() {
+                        hub.wanted.set(page, Some(client.wanted(&hub.program())));
+                    }
+                    let begun_us = hub.gate.now_us();
                     let said = match asked {
-                        Some(asked) => answer(shared, &mut views, (&mut client, role), asked).await,
+                        Some(asked) => answer(shared, &mut views, (&mut client, visitor), asked).await,
                         None => None,
                     };
+                    client.was_not_read(hub.gate.now_us().saturating_sub(begun_us));
                     if let Some(text) = said
                         && send(socket, text).await.is_err()
                     {
@@ -224,7 +229,7 @@ struct Views {
 }
 
 /// Answers what is no subscription: texts to send, or a scan to show.
-async fn answer(shared: &Arc<Shared>, views: &mut Views, (client, role): (&mut Client, Role), asked: Asked) -> Option<String> {
+async fn answer(shared: &Arc<Shared>, views: &mut Views, (client, visitor): (&mut Client, &Visitor), asked: Asked) -> Option<String> {
     let newest = shared.hub.looks().borrow().as_ref().map_or(0, |shot| shot.head.newest);
     let (hub, replayer, language) = (Arc::clone(&shared.hub), Arc::clone(&views.replayer), client.speech().language);
     match asked {
@@ -235,10 +240,8 @@ async fn answer(shared: &Arc<Shared>, views: &mut Views, (client, role): (&mut C
                 At::Scan(scan) => Ok(Some(end_of(scan))),
                 At::Step(unit, steps) => {
                     let wanted = client.wanted(&hub.program());
-                    let (from, may_run) = (views.at, role == Role::Program);
-                    blocking(move || step(&hub, &mut lock(&replayer), (from, newest, may_run), (&wanted, unit, steps)))
-                        .await
-                        .and_then(|to| to)
+                    let (from, runs) = (views.at, (visitor.role == Role::Program).then(|| visitor.peer.clone()));
+                    blocking(move || step(&hub, &mut lock(&replayer), (from, newest, runs), (&wanted, unit, steps))).await.and_then(|to| to)
                 }
             };
             let to = match moved {
@@ -254,10 +257,12 @@ async fn answer(shared: &Arc<Shared>, views: &mut Views, (client, role): (&mut C
         }
         Asked::History(history) => {
             let asked = history.clone();
+            let _one = shared.questions.acquire().await;
             let answered = blocking(move || past::history(&hub, &mut lock(&replayer), &asked)).await;
             Some(answered.and_then(|answer| answer).map_or_else(|refusal| event(&refusal), |answer| answer.to_string()))
         }
         Asked::Who(who) => {
+            let _one = shared.questions.acquire().await;
             let answered = blocking(move || past::who(&hub, &mut lock(&replayer), &who, language)).await;
             Some(answered.and_then(|answer| answer).map_or_else(|refusal| event(&refusal), |answer| answer.to_string()))
         }

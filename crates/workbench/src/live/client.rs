@@ -26,7 +26,7 @@ pub const MESSAGE_BYTES_MAX: usize = 1024 * 1024;
 /// A page that has not acknowledged a message for so long gets one a second, in microseconds.
 const SLOW_US: u64 = 2_000_000;
 /// One that has not for so long is gone.
-const GONE_US: u64 = 15_000_000;
+pub const GONE_US: u64 = 15_000_000;
 /// Time between two messages of a page that is slow, and the longest silence of one that is not: it takes silence for a dead connection.
 const SIGN_US: u64 = 1_000_000;
 const SECOND_US: u64 = 1_000_000;
@@ -63,6 +63,8 @@ pub struct Client {
     rate: u32,
     /// The version of the program that it knows.
     program: Option<u64>,
+    /// It has subscribed to something else since it was asked.
+    has_changed: bool,
     /// The scan and time of the last message: another one is news.
     shown: Option<(u64, u64, OperatingMode, bool, Option<Position>)>,
 }
@@ -78,6 +80,7 @@ impl Default for Client {
             sent_us: None,
             rate: UPDATES_PER_SECOND_MAX,
             program: None,
+            has_changed: false,
             shown: None,
         }
     }
@@ -98,8 +101,14 @@ impl Client {
         self.heard.push_back(now_us);
         match parse(frame)? {
             Said::Hello(speech) => self.speak(speech),
-            Said::Subscribe(id, what) => self.subscribe(id, what)?,
-            Said::Unsubscribe(id) => drop(self.subscriptions.remove(&id)),
+            Said::Subscribe(id, what) => {
+                self.has_changed = true;
+                self.subscribe(id, what)?;
+            }
+            Said::Unsubscribe(id) => {
+                self.has_changed = true;
+                self.subscriptions.remove(&id);
+            }
             Said::Acknowledge(sequence) => self.open.retain(|&(open, _)| open > sequence),
             Said::Rate(hz) => self.rate = hz.min(UPDATES_PER_SECOND_MAX),
             Said::At(at) => return Ok(Some(Asked::At(at))),
@@ -129,6 +138,11 @@ impl Client {
     /// How its sentences are written.
     pub fn speech(&self) -> Speech {
         self.speech
+    }
+
+    /// Whether it wants something else than when this was asked the last time.
+    pub fn take_changed(&mut self) -> bool {
+        std::mem::take(&mut self.has_changed)
     }
 
     /// What it wants of a scan.
@@ -170,6 +184,11 @@ impl Client {
     /// Whether it takes nothing in any more.
     pub fn is_gone(&self, now_us: u64) -> bool {
         self.waits_us(now_us) >= GONE_US
+    }
+
+    /// For so long nothing was read of what it sent: it may have acknowledged meanwhile.
+    pub fn was_not_read(&mut self, us: u64) {
+        self.open.iter_mut().for_each(|(_, at)| *at = at.saturating_add(us));
     }
 
     /// For how long its oldest message has not been acknowledged.

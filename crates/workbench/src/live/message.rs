@@ -286,14 +286,14 @@ impl<'m> Fields<'m> {
             _ => {
                 let common = Common::ALL.iter().find(|(name, _)| *name == word).map(|&(_, common)| What::Common(common));
                 let known = || Common::ALL.map(|(name, _)| format!("`{name}`")).join(", ");
-                common.ok_or_else(|| not_understood(format!("`what` is one of `rows`, `tags`, {}", known())))
+                common.ok_or_else(|| not_understood(format!("`what` is one of `rows`, `tags`, `flow`, {}", known())))
             }
         }
     }
 
     fn flow(&self) -> Result<Flow, Refusal> {
         let word = self.text("view").unwrap_or_default();
-        let view = View::ALL.iter().find(|(known, _)| *known == word).map(|&(_, view)| view);
+        let view = View::ALL.iter().find(|(known, _)| *known == word).map(|&(_, view)| view).filter(|&view| view != View::Stl);
         let numbers = self.0.get("networks").and_then(Json::as_array);
         let (Some(view), Some(numbers)) = (view, numbers) else {
             return Err(not_understood("`flow` has `view`, which is `lad` or `fbd`, and `networks`, a list of numbers"));
