@@ -48,24 +48,6 @@ fn writer(serving: &Serving) -> TcpStream {
 }
 
 #[test]
-fn a_change_names_the_client_that_wrote_it() {
-    let folder = project();
-    let serving = Serving::usual(&folder);
-    let mut page = serving.page("");
-    page.say(&json!({ "t": "sub", "id": "c", "what": "changes" }));
-    page.until("the beginning", |message| message["s"]["c"].is_array());
-    // Values are compared from the scan after the subscription on.
-    page.say(&json!({ "t": "sub", "id": "r", "what": "rows", "block": "OB1", "from": 0, "to": 3 }));
-    page.until("some scans", |message| message["s"]["r"].is_array());
-    let client = writer(&serving);
-    let of =
-        |message: &Value| message["s"]["c"]["add"].as_array().into_iter().flatten().find(|change| change["address"] == "MW 20").cloned();
-    let change = page.until("the change", |message| of(message).is_some());
-    let peer = format!("S7 {}", client.local_addr().expect("an address"));
-    assert_eq!(of(&change).expect("it is there")["peer"], json!(peer), "{change}");
-}
-
-#[test]
 fn a_client_is_seen_with_what_it_wrote_last() {
     let folder = project();
     let serving = Serving::usual(&folder);
