@@ -500,6 +500,29 @@ fn other_computers_need_a_token_and_one_of_the_two_only_looks() {
 }
 
 #[test]
+fn of_the_diagnostic_buffer_as_many_entries_are_given_as_are_asked_for() {
+    let folder = project();
+    let serving = Serving::usual(&folder);
+    for _ in 0..6 {
+        serving.json("POST", "/api/v1/mode", r#"{"mode":"stop"}"#);
+        serving.json("POST", "/api/v1/mode", r#"{"mode":"run"}"#);
+    }
+    let answer = |query: &str| serving.json("GET", &format!("/api/v1/diagnostics{query}"), "");
+    let count = |query: &str| answer(query)["entries"].as_array().expect("entries").len();
+    let all = count("?n=500");
+    assert!(all > 10, "{all}");
+    assert_eq!([count(""), count("?n=3"), count("?after=1"), count("?after=1&n=2")], [10, 3, all - 1, 2]);
+    let newest = answer("?n=1");
+    assert_eq!(newest["entries"][0]["number"], newest["newest"]);
+    let (_, _, text) = serving.ask("GET", "/api/v1/diagnostics?format=text", "", "");
+    assert_eq!(text.lines().count(), all);
+    for query in ["n=0", "n=501", "n=-1", "n=all", "n="] {
+        let (status, _, text) = serving.ask("GET", &format!("/api/v1/diagnostics?{query}"), "", "");
+        assert!(status == 400 && text.contains("P7131") && text.contains("1 to 500"), "{query}: {status} {text}");
+    }
+}
+
+#[test]
 fn the_end_of_the_run_is_said_to_pages() {
     let folder = project();
     let mut serving = Serving::usual(&folder);

@@ -30,15 +30,9 @@ fn asked(stream: &mut TcpStream, telegram: &[u8]) -> Vec<u8> {
     rest
 }
 
-#[test]
-fn a_client_is_seen_with_what_it_wrote_last() {
-    let folder = project();
-    let serving = Serving::usual(&folder);
-    let mut page = serving.page("");
-    page.say(&json!({ "t": "sub", "id": "c", "what": "clients" }));
-    page.until("the clients", |message| message["s"]["c"].is_array());
+/// An S7 client that has written 16#0005 to MW 20.
+fn writer(serving: &Serving) -> TcpStream {
     let mut client = TcpStream::connect(serving.s7.expect("an S7 server")).expect("it accepts");
-    let peer = client.local_addr().expect("an address").to_string();
     // Connect, set up, write 16#0005 as two bytes from MB 20 on.
     let connect = [3, 0, 0, 22, 17, 0xE0, 0, 0, 0, 1, 0, 0xC0, 1, 10, 0xC1, 2, 1, 0, 0xC2, 2, 1, 2];
     let set_up = [3, 0, 0, 25, 2, 0xF0, 0x80, 0x32, 1, 0, 0, 0, 1, 0, 8, 0, 0, 0xF0, 0, 0, 1, 0, 1, 0, 240];
@@ -48,9 +42,21 @@ fn a_client_is_seen_with_what_it_wrote_last() {
     ];
     asked(&mut client, &connect);
     asked(&mut client, &set_up);
-    let wrote = Instant::now();
     let answer = asked(&mut client, &write);
     assert_eq!(answer.last(), Some(&0xFF), "{answer:?}");
+    client
+}
+
+#[test]
+fn a_client_is_seen_with_what_it_wrote_last() {
+    let folder = project();
+    let serving = Serving::usual(&folder);
+    let mut page = serving.page("");
+    page.say(&json!({ "t": "sub", "id": "c", "what": "clients" }));
+    page.until("the clients", |message| message["s"]["c"].is_array());
+    let wrote = Instant::now();
+    let client = writer(&serving);
+    let peer = client.local_addr().expect("an address").to_string();
     let scan = serving.json("GET", "/api/v1/state", "")["scans"].as_u64().expect("scans");
     let row = |list: &Value| list.as_array().into_iter().flatten().find(|row| row["peer"] == *peer && row["last"].is_object()).cloned();
     let seen = page.until("the client", |message| row(&message["s"]["c"]).is_some());

@@ -12,6 +12,7 @@ use serde_json::{Value as Json, json};
 use sieben_cpu::{Cpu, OperatingMode, Station};
 use sieben_engine::{Machine, StatementEvent};
 use sieben_lang::reason as lang;
+use sieben_model::block::BlockId;
 use sieben_model::item::Item;
 use sieben_model::value::Value;
 use sieben_sim::names::{Name, Shown};
@@ -20,7 +21,7 @@ use sieben_workspace::control::CurrentFacts;
 use sieben_workspace::names::shown_json;
 use sieben_workspace::past::Viewer;
 use sieben_workspace::refusal::capitalized;
-use sieben_workspace::status::{Calls, Desk, Look, Onlooker, Sample};
+use sieben_workspace::status::{Calls, Desk, Look, Onlooker, Sample, Written};
 use sieben_workspace::{Closed, Gate, Plant, Speed};
 use tokio::sync::watch;
 
@@ -478,6 +479,10 @@ impl Onlooker for Hub {
         if let Some(said) = reasons_of(&self.program(), machine, event) {
             lock(&self.reasons).insert(place, said);
         }
+    }
+
+    fn written(&self, block: BlockId) -> Option<Written> {
+        Some(self.program().written(block))
     }
 
     fn ended(&self, cpu: &Cpu, sample: &Arc<Sample>) {

@@ -9,7 +9,7 @@ use sieben_engine::{FaultPlace, Machine, StatementEvent, Tracer};
 use sieben_model::item::Item;
 use sieben_workspace::Refusal;
 use sieben_workspace::past::{Mark, Seen, Viewer};
-use sieben_workspace::status::{Calls, Instances, Sample, Statements, keep};
+use sieben_workspace::status::{Calls, Instances, Sample, Statements, keep, value_written};
 
 use crate::cpu::{Lamps, lamps, leds};
 use crate::hub::{Hub, item_of, reasons_of, see};
@@ -85,7 +85,8 @@ impl Tracer for Told<'_> {
         let number = event.place.statement;
         for calls in self.instances.calls(event.place.block) {
             if self.wanted.calls.contains(&calls) {
-                keep(&mut self.statements, (calls, number), event, None);
+                let value = value_written(&self.program.written(calls.block), machine, event);
+                keep(&mut self.statements, (calls, number), event, value);
             }
             if self.wanted.reasons.contains(&(calls, number))
                 && let Some(said) = reasons_of(self.program, machine, event)

@@ -129,7 +129,7 @@ impl Steps<'_> {
     }
 }
 
-/// Where a page stands, which scan is the newest, and who lets the CPU run, if that may be.
+/// Where a page stands, which scan it is shown as the newest, and who lets the CPU run, if that may be.
 type Standing = (Option<Moment>, u64, Option<String>);
 
 /// Where so many steps lead; `None` is the newest scan from then on.
@@ -139,14 +139,15 @@ type Standing = (Option<Moment>, u64, Option<String>);
 pub(crate) fn step(
     hub: &Hub,
     viewer: &mut Viewer,
-    (from, newest, runs): Standing,
+    (from, shown, runs): Standing,
     (wanted, unit, steps): (&Wanted, Unit, i64),
 ) -> Result<Option<Moment>, Refusal> {
     let end_of = |scan| Moment { scan, statements: None };
     let is_paused = hub.gate.look(|plant| plant.pace.is_paused())?;
-    let newest = hub.gate.look(|plant| plant.scans)?.max(newest);
+    let newest = hub.gate.look(|plant| plant.scans)?.max(shown);
     if unit == Unit::Scan {
-        let scan = from.map_or(newest, |from| from.scan);
+        // While time goes on others have run since the one that the page shows.
+        let scan = from.map_or(if is_paused { newest } else { shown }, |from| from.scan);
         let to = scan.saturating_add_signed(steps);
         let more = to.saturating_sub(newest);
         if is_paused && more > 0 {

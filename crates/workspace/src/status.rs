@@ -115,6 +115,11 @@ pub trait Onlooker: Send + Sync {
     fn statement(&self, calls: Calls, machine: &Machine, event: &StatementEvent) {
         let _ = (calls, machine, event);
     }
+    /// The variables whose values it wants of the statements of a block that write them.
+    fn written(&self, block: BlockId) -> Option<Written> {
+        let _ = block;
+        None
+    }
     /// The scan has ended, and so the CPU stands: a copy that only this sees.
     fn ended(&self, cpu: &Cpu, sample: &Arc<Sample>);
 }
@@ -346,6 +351,13 @@ impl Desk {
             calls.insert(block.into());
         }
         let onlooker = self.onlooker.get().map(AsRef::as_ref);
+        for &Calls { block, .. } in &calls {
+            if let (Entry::Vacant(place), Some(onlooker)) = (written.entry(block), onlooker)
+                && let Some(wanted) = onlooker.written(block)
+            {
+                place.insert(wanted);
+            }
+        }
         let mut collector = Collector { calls, written, onlooker, ..Collector::default() };
         let same = recorded.scan.replay(replayer, &mut collector)?;
         let Collector { calls, statements, .. } = collector;
@@ -397,10 +409,15 @@ impl Collector<'_> {
             onlooker.statement(calls, machine, event);
         }
         let number = event.place.statement;
-        let name = self.written.get(&calls.block).and_then(|written| written.get(&number)).filter(|_| calls.instance.is_none());
-        let value = name.and_then(|name| name.shown_in(machine, &event.after)).map(|shown| shown.readable());
+        let value = self.written.get(&calls.block).and_then(|written| value_written(written, machine, event));
         keep(&mut self.statements, (calls, number), event, value);
     }
+}
+
+/// What a statement has written, as people read it; the machine is as it left it.
+pub fn value_written(written: &Written, machine: &Machine, event: &StatementEvent) -> Option<String> {
+    let name = written.get(&event.place.statement)?;
+    name.shown_in(machine, &event.after).map(|shown| shown.readable())
 }
 
 /// Keeps what a statement found and left when it was executed last; of too many only those that came first.

@@ -149,12 +149,32 @@ pub(super) fn block(build: &Build, block: BlockId, (view, mnemonics): (View, Opt
         object
     };
     let instances = instances(&CallStructure::new(&build.compiled));
+    let is_text = matches!(build.compiled.bodies.get(&block).map(AsRef::as_ref), Some(CheckedBody::St(_)));
     Ok(json!({
-        "block": word(block), "title": code_block.and_then(|block| block.title.clone()).unwrap_or_default(),
+        "lines": is_text.then(|| source_lines(build, &code.spans)), "block": word(block), "title": code_block.and_then(|block| block.title.clone()).unwrap_or_default(),
         "symbol": places.block_symbol(block), "language": language(build, block),
         "instances": instances.get(&block).cloned().unwrap_or_default(),
         "networks": networks.into_iter().map(json_of).collect::<Vec<_>>(),
     }))
+}
+
+/// The lines of a source of Structured Text from the first statement of a block to its last one, each with its number.
+fn source_lines(build: &Build, spans: &[Span]) -> Vec<Value> {
+    let texts = &build.project.texts.program;
+    let Some(first) = spans.iter().find(|span| (span.file.0 as usize) < texts.iter().len()) else { return Vec::new() };
+    let text = &texts.file(first.file).text;
+    let starts = || spans.iter().filter(|span| span.file == first.file && span.start < span.end).map(|span| span.start as usize);
+    let (Some(begin), Some(end)) = (starts().min(), starts().max()) else { return Vec::new() };
+    let mut lines = Vec::new();
+    let mut at = 0;
+    for (number, line) in (1_u32..).zip(text.split_inclusive('\n')) {
+        let next = at + line.len();
+        if next > begin && at <= end {
+            lines.push(json!([number, line.trim_end()]));
+        }
+        at = next;
+    }
+    lines
 }
 
 /// In which mnemonics the statements of a block are shown.

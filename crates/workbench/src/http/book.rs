@@ -86,8 +86,16 @@ fn html(name: &str, text: &str) -> (String, String) {
     let mut without_link = 0_usize;
     // Of a picture that is not in the book its text is left.
     let mut without_picture = false;
+    // Whether a cell of a table has just begun: a word of code there is a place that links can name.
+    let mut begins_cell = false;
+    let mut words: BTreeMap<String, usize> = BTreeMap::new();
     for event in Parser::new_ext(text, options) {
+        let begun = std::mem::replace(&mut begins_cell, matches!(event, Event::Start(Tag::TableCell)));
         match event {
+            Event::Code(word) if begun && !word.contains(char::is_whitespace) => {
+                words.entry(word.to_string()).or_insert(events.len());
+                events.push(Event::Code(word));
+            }
             Event::Start(Tag::Heading { level, .. }) => {
                 heading = Some((events.len(), level, String::new()));
                 events.push(Event::Text(CowStr::Borrowed("")));
@@ -133,6 +141,12 @@ fn html(name: &str, text: &str) -> (String, String) {
                 }
                 events.push(other);
             }
+        }
+    }
+    for (word, at) in words.into_iter().filter(|(word, _)| !slugs.contains_key(word)) {
+        if let Some(place) = events.get_mut(at) {
+            let word = escaped(&word);
+            *place = Event::Html(format!("<code id=\"{word}\">{word}</code>").into());
         }
     }
     let mut out = String::new();
@@ -214,6 +228,13 @@ mod tests {
         assert_eq!(body, "<h1 id=\"x\">x</h1>\n<p><em>Picture: Live, in the dark</em> <em>Picture: Beside</em></p>\n");
         assert!(Files::iter().any(|name| name.ends_with(".svg")), "pictures that are small are in it");
         assert!(!Files::iter().any(|name| name.ends_with(".png")));
+    }
+
+    #[test]
+    fn a_word_that_begins_a_cell_is_a_place_unless_a_heading_is() {
+        let (_, body) = html("x.md", "# x\n\n| word | what |\n|---|---|\n| `+I` | adds `x` |\n| `y` | |\n| `+I` | |\n\n## y\n");
+        assert_eq!((body.matches("<code id=\"+I\">+I</code>").count(), body.matches("id=\"y\"").count()), (1, 1), "{body}");
+        assert!(body.contains("<h2 id=\"y\">") && body.contains("<code>x</code>"), "{body}");
     }
 
     #[test]

@@ -46,6 +46,11 @@ pub(super) struct Asked<'r> {
     pub(super) language: Language,
 }
 
+/// Entries of the diagnostic buffer that are shown where no number is asked for: as many as a CPU in RUN shows.
+const ENTRIES: usize = 10;
+/// Entries that are shown at most: no CPU type keeps more.
+const ENTRIES_MAX: usize = 500;
+
 /// A field of a query.
 pub(super) struct Parameter {
     pub(super) name: &'static str,
@@ -121,7 +126,7 @@ pub(super) const ROUTES: &[Route] = &[
     change(Method::Post, "forces", "Forces a value, with a reason that everyone sees.", Some(r#"{"name":"I 0.1","value":"1","reason":"sensor is exchanged"}"#), force),
     change(Method::Delete, "forces", "Nothing is forced any more.", None, |asked| { asked.control(&Request::UnforceAll)?; Ok(asked.forces()) }),
     change(Method::Delete, "forces/{name}", "This is not forced any more.", None, |asked| { asked.done(&Request::Unforce(asked.captured.clone()))?; Ok(asked.forces()) }),
-    Route { query: &[Parameter { name: "after", about: "the number of the last entry that is known" }, Parameter { name: "format", about: "`text` for a text to save" }], ..get("diagnostics", "The diagnostic buffer.", diagnostics) },
+    Route { query: &[Parameter { name: "n", about: "so many of the newest entries: 1 to 500; without it 10, or all that came after `after`" }, Parameter { name: "after", about: "the number of the last entry that is known" }, Parameter { name: "format", about: "`text` for a text to save" }], ..get("diagnostics", "The diagnostic buffer.", diagnostics) },
     get("clients", "Who is connected to servers and looks at pages.", |asked| Ok(Reply::Json(asked.shared.hub.clients()))),
     get("plants", "The simulated plants with their terminals.", plants),
     get("faults", "The plants with their signals and faults.", |asked| asked.verb("faults")),
@@ -285,10 +290,21 @@ fn diagnostics(asked: &Asked<'_>) -> Result<Reply, Refusal> {
         None => 0,
         Some(after) => after.parse().map_err(|_| wrong("`after` is a whole number from 0"))?,
     };
-    let answer = asked.control_answer(&Request::Diagnostics { after })?;
-    let Answer::Diagnostics(found) = &answer else { return Ok(Reply::Nothing) };
-    if asked.query.get("format") != Some("text") {
-        return Ok(Reply::Json(Json::Object(answer.fields())));
+    let is_text = asked.query.get("format") == Some("text");
+    let most = match asked.query.get("n") {
+        Some(n) => {
+            let n = n.parse().ok().filter(|n| (1..=ENTRIES_MAX).contains(n));
+            n.ok_or_else(|| wrong(&format!("`n` is a whole number from 1 to {ENTRIES_MAX}: so many of the newest entries")))?
+        }
+        // Who saves the buffer, or asks for what came after an entry, gets all of it.
+        None if is_text || after > 0 => ENTRIES_MAX,
+        None => ENTRIES,
+    };
+    let Answer::Diagnostics(mut found) = asked.control_answer(&Request::Diagnostics { after })? else { return Ok(Reply::Nothing) };
+    let older = found.entries.len().saturating_sub(most);
+    found.entries.drain(..older);
+    if !is_text {
+        return Ok(Reply::Json(Json::Object(Answer::Diagnostics(found).fields())));
     }
     let line = |entry: &sieben_workspace::control::answer::Entry| format!("{}  16#{:04X}  {}\n", entry.time, entry.event, entry.text);
     Ok(Reply::Text("text/plain; charset=utf-8", found.entries.iter().rev().map(line).collect()))

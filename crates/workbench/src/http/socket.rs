@@ -230,22 +230,24 @@ struct Views {
 
 /// Answers what is no subscription: texts to send, or a scan to show.
 async fn answer(shared: &Arc<Shared>, views: &mut Views, (client, visitor): (&mut Client, &Visitor), asked: Asked) -> Option<String> {
-    let newest = shared.hub.looks().borrow().as_ref().map_or(0, |shot| shot.head.newest);
+    let (shown, newest) = shared.hub.looks().borrow().as_ref().map_or((0, 0), |shot| (shot.head.scan, shot.head.newest));
     let (hub, replayer, language) = (Arc::clone(&shared.hub), Arc::clone(&views.replayer), client.speech().language);
     match asked {
         Asked::At(at) => {
             let end_of = |scan| Moment { scan, statements: None };
             let moved = match at {
                 At::Live => Ok(None),
-                At::Scan(scan) => Ok(Some(end_of(scan))),
+                At::Scan(scan) => Ok(Some(end_of(scan)).filter(|_| scan < newest)),
                 At::Step(unit, steps) => {
                     let wanted = client.wanted(&hub.program());
                     let (from, runs) = (views.at, (visitor.role == Role::Program).then(|| visitor.peer.clone()));
-                    blocking(move || step(&hub, &mut lock(&replayer), (from, newest, runs), (&wanted, unit, steps))).await.and_then(|to| to)
+                    blocking(move || step(&hub, &mut lock(&replayer), (from, shown, runs), (&wanted, unit, steps)))
+                        .await
+                        .and_then(|to| to)
                 }
             };
             let to = match moved {
-                Ok(to) => to.filter(|to| to.scan < newest || to.statements.is_some()),
+                Ok(to) => to,
                 Err(refusal) => return Some(event(&refusal)),
             };
             let before = std::mem::replace(&mut views.at, to);

@@ -9,8 +9,8 @@ use sieben_lang::reason::Language;
 use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::source::FileId;
-use sieben_workspace::control::Facts;
-use sieben_workspace::status::Calls;
+use sieben_workspace::control::{Facts, listing};
+use sieben_workspace::status::{Calls, Written};
 
 use crate::{fnv_1a, lock};
 
@@ -62,13 +62,14 @@ pub struct Known {
     /// One mnemonic language for all files, in the order of [`Mnemonics`].
     spelled: [BTreeMap<FileId, Mnemonics>; 2],
     lines: Mutex<BTreeMap<BlockId, Arc<[u32]>>>,
+    written: Mutex<BTreeMap<BlockId, Written>>,
 }
 
 impl Known {
     /// The program with this version.
     pub fn new(version: u64, facts: Arc<Facts>) -> Self {
         let spelled = [Mnemonics::English, Mnemonics::German].map(|one| facts.sources.iter().map(|(file, _)| (file, one)).collect());
-        Self { version, facts, spelled, lines: Mutex::default() }
+        Self { version, facts, spelled, lines: Mutex::default(), written: Mutex::default() }
     }
 
     /// The mnemonics of each file, where addresses are spelled in these.
@@ -111,6 +112,12 @@ impl Known {
     pub fn hash(&self) -> String {
         let texts = self.facts.sources.iter().flat_map(|(_, file)| [file.name.as_str(), file.text.as_str()]);
         format!("{:016x}{:x}", fnv_1a(texts.flat_map(str::bytes)), self.version)
+    }
+
+    /// The variables that the assignments of a block of Structured Text write.
+    pub fn written(&self, block: BlockId) -> Written {
+        let mut known = lock(&self.written);
+        Arc::clone(known.entry(block).or_insert_with(|| listing::written(&self.facts, block)))
     }
 
     /// The line of each statement of a block; 0 for one that the compiler made.

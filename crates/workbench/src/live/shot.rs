@@ -87,6 +87,8 @@ pub struct Shot {
 const EXECUTED: u8 = 1;
 /// It is still to come: its values are those of the scan before.
 const PENDING: u8 = 2;
+/// Where in a row the value stands that a statement has written.
+const VALUE: usize = 6;
 
 impl Shot {
     /// What a subscription holds at this scan.
@@ -144,7 +146,7 @@ impl Shot {
         }
     }
 
-    /// `[line, executed, stw, accu1, accu2, reason?]` of each statement.
+    /// `[line, executed, stw, accu1, accu2, reason?, value?]` of each statement.
     fn rows(&self, rows: &Rows, speech: Speech) -> Content {
         let calls = self.program.calls(&rows.block, rows.instance.as_deref());
         let Some(calls) = calls else { return Content::Rows(rows.from, Vec::new()) };
@@ -155,7 +157,8 @@ impl Shot {
             let line = lines.get(number as usize).copied().unwrap_or_default();
             let place = (calls, number);
             let done = self.sample.as_ref().and_then(|sample| sample.statements.get(&place)).map(|status| (EXECUTED, status));
-            let mut row = match done.or_else(|| self.pending.get(&place).map(|status| (PENDING, status))) {
+            let pending = self.pending.get(&place).map(|status| (PENDING, status));
+            let mut row = match done.or(pending) {
                 Some((executed, status)) => {
                     let after = &status.after;
                     vec![json!(line), json!(executed), json!(after.status().0), json!(after.accu1 as u32), json!(after.accu2 as u32)]
@@ -166,6 +169,10 @@ impl Shot {
                 && let Some(said) = self.reasons.get(&place)
             {
                 row.push(json!(said.text(speech)));
+            }
+            if let Some(value) = done.or(pending).and_then(|(_, status)| status.value.as_ref()) {
+                row.resize(VALUE, Json::Null);
+                row.push(json!(value));
             }
             Json::Array(row)
         };

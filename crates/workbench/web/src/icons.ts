@@ -33,6 +33,7 @@ export const ICONS = {
   hint: '<path d="M6 13h4M6.5 14.5h3M5.5 10.5C4 9.5 3.5 8.2 3.5 7a4.5 4.5 0 0 1 9 0c0 1.2-.5 2.5-2 3.5z"/>',
   cols: '<rect x="2" y="3" width="12" height="10" rx="1"/><path d="M6 3v10M10 3v10"/>',
   save: '<path d="M8 2v8M5 7.5 8 10.5l3-3M3 13.5h10"/>',
+  edit: '<path d="M3 13l.8-3L11 2.8l2.2 2.2L6 12.2z"/>',
   print: '<path d="M4 6V2h8v4M4 11H2V6h12v5h-2M4 9.5h8V14H4z"/>',
   more: '<path d="M3.5 8h.1M8 8h.1M12.5 8h.1" stroke-width="2.6"/>',
   link: '<path d="M6.5 9.5 9.5 6.5M7 4.5l1.5-1.5a3 3 0 0 1 4.5 4.5L11.5 9M9 11.5 7.5 13A3 3 0 0 1 3 8.5L4.5 7"/>',

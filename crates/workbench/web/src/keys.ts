@@ -1,6 +1,7 @@
 /** Keys of the page: single letters while no text is typed. RUN, STOP and MRES have none. */
 import { rest } from './rest';
-import { added, keepAdded } from './watch/added';
+import { named } from './names';
+import { added } from './watch/added.svelte';
 import { route, type View } from './route.svelte';
 import { page } from './state.svelte';
 import { t, type Word } from './words.svelte';
@@ -23,7 +24,11 @@ const panels = (by: 1 | -1): void => {
   const all = [...document.querySelectorAll<HTMLElement>('.main .panel')].filter((p) => p.offsetParent !== null);
   const at = all.findIndex((p) => p.contains(document.activeElement));
   const next = all[(at + by + all.length) % all.length];
-  next?.querySelector<HTMLElement>('.pb button:not([disabled]), .pb [tabindex], button:not([disabled]), a, input')?.focus();
+  if (next === undefined) return;
+  const seen = (within: string) => [...next.querySelectorAll<HTMLElement>(`${within} :is(button:not([disabled]), a, input:not([disabled]), [tabindex="0"])`)].find((node) => node.checkVisibility());
+  const first = seen('.pb') ?? next.querySelector<HTMLElement>('.pb[tabindex="0"]') ?? seen('') ?? next;
+  if (first === next) next.tabIndex = -1;
+  first.focus();
 };
 
 export const KEYS: Key[] = [
@@ -45,36 +50,60 @@ export const KEYS: Key[] = [
   { keys: ['f'], word: 'kForce', group: 'kSelection', match: ['f'], run: () => force(page.selected?.address ?? '') },
   { keys: ['m'], word: 'kMnemonics', group: 'kSelection', match: ['m'], run: () => page.setMnemonics(page.mnemonics === 'de' ? 'en' : 'de') },
   { keys: ['Shift', 'F12'], word: 'kUsed', group: 'kSelection', match: ['Shift F12'], run: () => whereUsed() },
-  { keys: ['F12'], word: 'kDefinition', group: 'kSelection', match: ['F12'], run: () => whereUsed() },
-  { keys: ['F1'], word: 'kHelp', group: 'kSelection', match: ['F1'], run: () => window.open(page.selected === null ? '/docs/' : `/docs/reference/instructions#${page.selected.op.toLowerCase()}`, '_blank', 'noopener') },
+  { keys: ['F12'], word: 'kDefinition', group: 'kSelection', match: ['F12'], run: () => definition() },
+  { keys: ['F1'], word: 'kHelp', group: 'kSelection', match: ['F1'], run: () => window.open(help(), '_blank', 'noopener') },
   { keys: ['Ctrl', 'F9'], word: 'kModify', group: 'kSelection', match: ['Ctrl F9'], run: () => document.querySelector<HTMLElement>('[data-testid=watch-modify]')?.click() },
   { keys: ['?'], word: 'keys', group: 'kPages', match: ['?'], run: () => (page.dialog = 'keys') },
 ];
 
-export async function toggle(): Promise<void> {
-  const address = page.selected?.address ?? '';
-  if (!/^[IE] \d+\.\d$/.test(address) || page.locked !== '') return;
-  const id = address.replace(/^[IE] /, '');
-  const row = document.querySelector<HTMLElement>(`[data-testid="in-${id}"]`);
-  await page.do(rest.set({ [address]: row?.dataset['on'] !== '1' }));
+/** The book, at the instruction that is selected. */
+export const help = (): string => {
+  const language = page.blocks.find((block) => block.block === page.selected?.block)?.language;
+  return page.selected === null ? '/docs/' : language === 'STL' ? `/docs/reference/instructions#${encodeURIComponent(page.selected.op)}` : '/docs/reference/st-library';
+};
+
+export async function toggle(address = page.selected?.address ?? ''): Promise<void> {
+  if (!/^I \d+\.\d$/.test(address)) return page.say(t('selectInput'));
+  if (page.locked !== '') return page.say(page.locked);
+  await page.do(rest.bit(address).then((on) => rest.set({ [address]: !on })));
 }
 
 export function addToWatch(address: string): void {
-  if (address === '') return;
-  const before = added();
-  if (!before.includes(address)) keepAdded([...before, address]);
+  if (address === '') return page.say(t('selectOperand'));
+  added.add(address);
   page.say(t('added', page.nameOf(address)));
 }
 
+/** A CPU 3xx forces inputs and outputs, a CPU 4xx bit memory too. */
+export const canForce = (address: string): boolean => (page.cpu.startsWith('4') ? /^[IQM]/ : /^[IQ]/).test(address);
+export const forcesOnly = (): string => t(page.cpu.startsWith('4') ? 'forces400' : 'forces300', page.cpu);
+
 export function force(address: string): void {
-  if (address === '' || page.locked !== '') return;
+  if (address === '') return page.say(t('selectOperand'));
+  if (page.locked !== '') return page.say(page.locked);
+  if (!canForce(address)) return page.say(forcesOnly());
   page.forceWanted = address;
   page.dialog = 'force';
 }
 
 export function whereUsed(address = page.selected?.address ?? ''): void {
-  if (address !== '') route.go('symbols', address);
+  if (address === '') return page.say(t('selectOperand'));
+  route.go('symbols', address, 'uses');
 }
+
+/** Where the selected operand is declared: a block is opened, an address is shown in the symbol table. */
+function definition(): void {
+  const operand = page.selected?.operand ?? '';
+  const name = /^"([^"]*)"|^\w+ \d+/.exec(operand);
+  const block = page.blocks.find((one) => name !== null && (name[1] === undefined ? named(one.block) === name[0] : one.symbol === name[1]));
+  if (block !== undefined) return route.go('program', block.block);
+  const address = page.selected?.address ?? '';
+  if (address !== '') return route.go('symbols', address);
+  page.say(t('selectOperand'));
+}
+
+/** The key before this one was `g`: the next names a view. */
+export const isPrefixed = (): boolean => performance.now() - prefix < 1500;
 
 export function press(event: KeyboardEvent): void {
   const target = event.target as HTMLElement;
@@ -83,7 +112,7 @@ export function press(event: KeyboardEvent): void {
   if (typing && !name.startsWith('Ctrl ') && !/^(Shift )?F\d/.test(name)) return;
   if (name === ' ' && target.matches('button, a, [role=button], [role=switch], [role=tab], input')) return;
   if (event.altKey) return;
-  const wanted = performance.now() - prefix < 1500 ? `g ${event.key}` : name;
+  const wanted = isPrefixed() ? `g ${event.key}` : name;
   if (name === 'g') {
     prefix = performance.now();
     return;

@@ -38,6 +38,8 @@ export interface Network {
 }
 
 export interface BlockView {
+  /** Of Structured Text its lines with their numbers, as they are written. */
+  lines?: [number, string][] | null;
   block: string;
   title: string;
   symbol: string;
@@ -235,9 +237,15 @@ export const rest = {
   time: (body: { pause: true } | { go: true } | { step: string; n: number } | { speed: number }) => call<void>('POST', 'time', body),
   /** All of them, or the first that could not be written. */
   set: async (values: Record<string, boolean | number | string>): Promise<void> => {
-    const { items } = await call<Written>('PATCH', 'tags', values);
-    const wrong = items.find((one) => one.error !== undefined);
+    const wrong = (await rest.write(values)).find((one) => one.error !== undefined);
     if (wrong?.error !== undefined) throw new Problem(422, wrong.error.code, `${wrong.name}: ${wrong.error.message}`);
+  },
+  /** What became of each of them. */
+  write: async (values: Record<string, boolean | number | string>): Promise<Written['items']> => (await call<Written>('PATCH', 'tags', values)).items,
+  /** Whether a bit is 1 now. */
+  bit: async (address: string): Promise<boolean> => {
+    const { items } = await call<{ items: { value?: unknown }[] }>('GET', `tags?names=${name(address)}`);
+    return Number(items[0]?.value) === 1;
   },
   force: (body: { name: string; value: string; reason: string }) => call<Force[]>('POST', 'forces', body),
   release: (address?: string) => call<Force[]>('DELETE', address === undefined ? 'forces' : `forces/${name(address)}`),

@@ -416,19 +416,22 @@ export class RowState {
   accu1 = $state(0);
   accu2 = $state(0);
   reason = $state('');
+  /** What an assignment has written. */
+  value = $state('');
   known = $state(false);
   changedBit = $state(false);
   changedAccu = $state(false);
 
   take(row: Row): void {
-    const [, executed, stw, accu1, accu2, reason] = row;
+    const [, executed, stw, accu1, accu2, reason, value = ''] = row;
     this.changedBit = this.known && executed === 1 && ((this.stw ^ stw) & 4) !== 0;
-    this.changedAccu = this.known && executed === 1 && this.accu1 !== accu1;
+    this.changedAccu = this.known && executed === 1 && (value === '' ? this.accu1 !== accu1 : this.value !== value);
     this.executed = executed;
     this.stw = stw;
     this.accu1 = accu1;
     this.accu2 = accu2;
     this.reason = reason ?? '';
+    this.value = value;
     this.known = true;
   }
 

@@ -10,9 +10,10 @@ export type Mode = 'run' | 'stop' | 'startup' | 'hold' | 'defect';
 export type Role = 'program' | 'view';
 export type Unit = 'statement' | 'network' | 'scan';
 
-/** `[line, executed, stw, accu1, accu2, reason?]`. `executed`: 0 not in this scan, 1 in this scan, 2 not yet: values of the scan before.
- *  `stw`: bit 0 /FC, then RLO STA OR OS OV CC0 CC1 BR. Only the row that `reason` of the subscription names has a reason. */
-export type Row = [number, 0 | 1 | 2, number, number, number, string?];
+/** `[line, executed, stw, accu1, accu2, reason?, value?]`. `executed`: 0 not in this scan, 1 in this scan, 2 not yet: values of the scan before.
+ *  `stw`: bit 0 /FC, then RLO STA OR OS OV CC0 CC1 BR. Only the row that `reason` of the subscription names has a reason; others that need the place have `null`.
+ *  `value`: what an assignment of Structured Text has written. */
+export type Row = [number, 0 | 1 | 2, number, number, number, (string | null)?, string?];
 /** `[element, flow, value]`; `net` of a wire, or the id of an element; flow after it: 1, 0, "not-run", "unknown". */
 export type Flow = [string, string | number, string];
 

@@ -251,14 +251,14 @@ for (const example of ['dosing', 'tank', 'star-delta', 'conveyor', 'decade-switc
       await open(page);
       await expect(id(page, 'plant-picture').first()).toBeVisible();
       expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(390);
-      const small = await page.evaluate(() =>
+      const small = () => page.evaluate(() =>
         [...document.querySelectorAll<HTMLElement>('.plant button, .plant [role=button], .plant [role=switch], .rack-panel button, .rack-panel input')]
           .filter((node) => node.closest('[popover]') === null)
           .map((node) => [node, node.getBoundingClientRect()] as const)
           .filter(([, box]) => box.width > 0 && (box.width < 43.5 || box.height < 43.5))
           .map(([node, box]) => `${node.dataset['testid'] ?? node.className} ${Math.round(box.width)}×${Math.round(box.height)}`),
       );
-      expect(small).toEqual([]);
+      await expect.poll(small).toEqual([]);
     });
   });
 

@@ -1,7 +1,7 @@
 // Checks of the contract: program.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { expect, id, open, test, type Page } from './sieben';
+import { EXAMPLES, expect, id, open, test, type Page } from './sieben';
 import type { APIRequestContext } from '@playwright/test';
 
 test.use({ example: 'star-delta' });
@@ -119,5 +119,32 @@ test.describe('with the dosing plant', () => {
     await expect(row.locator('.op')).toHaveText('A');
     await expect(row).toContainText('I 0.7');
     expect(readFileSync(file).equals(before)).toBe(true);
+  });
+});
+
+test.describe('with Structured Text', () => {
+  const TOML = readFileSync(join(EXAMPLES, 'heater/sieben.toml'), 'utf8');
+  test.use({ example: 'heater', files: { 'sieben.toml': TOML.replace('interval = "100ms"', 'interval = "6s"').replace('cycle = "10ms"', 'cycle = "10ms"\nwatchdog = "6s"') } });
+  test('a line of Structured Text shows what it has written, and no value where it was left out', async ({ page, request }) => {
+    await open(page, '#program/OB1');
+    const value = id(page, 'value-161');
+    await expect(id(page, 'view-lad'), 'there is no ladder of it').toBeDisabled();
+    await expect(id(page, 'stl-row-161')).toContainText('PowerRaw := 0;');
+    // The thermostat is closed: nothing is switched off.
+    await expect(id(page, 'stl-row-160')).toHaveAttribute('data-executed', '1');
+    await expect(id(page, 'stl-row-161')).toHaveAttribute('data-executed', '0');
+    await expect(value).toContainText('–');
+    await request.post('/api/v1/forces', { data: { name: 'Thermostat', value: 0, reason: 'too hot' } });
+    await expect(id(page, 'stl-row-161')).toHaveAttribute('data-executed', '1');
+    await expect(value).toHaveText('0');
+    // The past has its own values.
+    await page.keyboard.press('Home');
+    await expect(id(page, 'connection')).toHaveText('Past');
+    await expect(value).toContainText('–');
+    await page.keyboard.press('End');
+    await expect(value).toHaveText('0');
+    await id(page, 'stl-row-160').click();
+    await page.keyboard.press('ArrowDown');
+    await expect(id(page, 'stl-row-161')).toHaveAttribute('aria-selected', 'true');
   });
 });

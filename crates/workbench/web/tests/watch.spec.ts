@@ -1,6 +1,6 @@
 // Checks of the contract: watch tables, forcing, timing diagram.
 import { execFileSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { BINARY, expect, id, open, scan, test, type Page } from './sieben';
@@ -48,13 +48,84 @@ test('50: a value is written once, at the moment that is chosen', async ({ page,
   await expect(id(page, 'watch-value-C0')).not.toContainText('17');
 });
 
-test('50: a value that cannot be written is said, and nothing is lost', async ({ page }) => {
+test('50: a value that is refused is said at its row, and nothing is lost', async ({ page }) => {
   await open(page, '#watch');
   await id(page, 'watch-new-C0').fill('many');
   await id(page, 'watch-tick-C0').check();
+  await id(page, 'watch-new-Q0.0').fill('1');
+  await id(page, 'watch-tick-Q0.0').check();
   await id(page, 'watch-modify').click();
-  await expect(id(page, 'toast')).toContainText(/P\d{4}/);
+  const problem = page.locator('[data-testid=watch-row-C0] + tr').getByTestId('watch-problem-C0');
+  await expect(problem).toContainText(/P\d{4}/);
+  await expect(page.getByTestId(/^watch-problem-/), 'the other row is well').toHaveCount(1);
+  await expect(id(page, 'watch-new-C0')).toHaveAttribute('aria-invalid', 'true');
+  expect(await id(page, 'watch-new-C0').getAttribute('aria-describedby')).toBe(await problem.getAttribute('id'));
   await expect(id(page, 'watch-new-C0')).toHaveValue('many');
+  await id(page, 'watch-new-C0').fill('7');
+  await expect(problem).toHaveCount(0);
+  await id(page, 'watch-modify').click();
+  await expect(id(page, 'watch-value-C0')).toContainText('7');
+  // Where there is no room beside the value the sentence stands below it.
+  await page.setViewportSize({ width: 390, height: 844 });
+  await id(page, 'watch-new-C0').fill('many');
+  await id(page, 'watch-modify').click();
+  await expect(id(page, 'watch-problem-C0')).toBeInViewport({ ratio: 1 });
+});
+
+test('49: a row that was added is kept, and goes by its button or by Delete', async ({ page }) => {
+  await open(page, '#watch');
+  const add = async (name: string) => {
+    await id(page, 'watch-add').fill(name);
+    await id(page, 'watch-add').press('Enter');
+  };
+  await add('MW 10');
+  await add('MW 12');
+  await page.reload();
+  await expect(id(page, 'watch-row-MW10')).toBeVisible();
+  await expect(id(page, 'watch-remove-C0'), 'what a file has stays').toHaveCount(0);
+  await id(page, 'watch-remove-MW10').click();
+  await expect(id(page, 'watch-row-MW10')).toHaveCount(0);
+  await expect(id(page, 'watch-remove-MW12')).toBeFocused();
+  await id(page, 'watch-new-MW12').fill('12');
+  await id(page, 'watch-new-MW12').press('Delete');
+  await expect(id(page, 'watch-row-MW12'), 'Delete in a field is about its text').toBeVisible();
+  await id(page, 'watch-tick-MW12').focus();
+  await page.keyboard.press('Delete');
+  await expect(id(page, 'watch-row-MW12')).toHaveCount(0);
+  await expect(id(page, 'watch-add')).toBeFocused();
+  await page.reload();
+  await expect(id(page, 'watch-row-C0')).toBeVisible();
+  await expect(id(page, 'watch-row-MW12')).toHaveCount(0);
+});
+
+test('49: the table is saved as a file that is a table', async ({ page, request, sieben }) => {
+  await open(page, '#watch');
+  await id(page, 'watch-add').fill('MW 10');
+  await id(page, 'watch-add').press('Enter');
+  await page.getByLabel('Format: LITRES').selectOption('DEC');
+  const saved = page.waitForEvent('download');
+  await id(page, 'watch-save').click();
+  const download = await saved;
+  expect(download.suggestedFilename()).toBe('dosing.watch');
+  const text = readFileSync(await download.path(), 'utf8');
+  expect(text).toMatch(/^name,format,comment\n/);
+  writeFileSync(join(sieben.folder, 'saved.watch'), text);
+  const rows = (await (await request.get('/api/v1/watch/saved.watch')).json()) as { name: string; format: string; comment: string }[];
+  const before = (await (await request.get('/api/v1/watch/dosing.watch')).json()) as { name: string; comment: string }[];
+  expect(rows.map((row) => row.name)).toEqual([...before.map((row) => row.name), 'MW 10']);
+  expect(rows.map((row) => row.comment)).toEqual([...before.map((row) => row.comment), '']);
+  expect(rows.find((row) => row.name === 'LITRES')?.format).toBe('DEC');
+});
+
+test('51: the dialog says what forcing disables, and what this CPU forces', async ({ page }) => {
+  await open(page, '#watch');
+  for (const [row, says] of [['I0.1', 'The program reads this value'], ['Q0.0', 'The terminal has this value']] as const) {
+    await id(page, `watch-force-${row}`).click();
+    await expect(id(page, 'force-disables')).toContainText(says);
+    await expect(id(page, 'force-disables')).toContainText(/A CPU 3\S+ forces inputs and outputs only/);
+    await expect(id(page, 'force-ok'), 'without a reason').toBeDisabled();
+    await page.keyboard.press('Escape');
+  }
 });
 
 test('51–53: forcing is seen everywhere, with who and why', async ({ page, context }) => {

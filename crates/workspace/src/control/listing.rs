@@ -185,7 +185,7 @@ fn source_lines(facts: &Facts, code: &CodeBlock) -> Vec<Line> {
 }
 
 /// The variables that the assignments of a block of ST write.
-pub(super) fn written(facts: &Facts, block: BlockId) -> Written {
+pub fn written(facts: &Facts, block: BlockId) -> Written {
     let mut written = BTreeMap::new();
     if let (Some(&scope), Some(code)) = (facts.text_blocks.get(&block), facts.program.code.get(&block)) {
         for (number, &span) in (0_u32..).zip(&code.spans) {
