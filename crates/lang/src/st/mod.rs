@@ -24,6 +24,7 @@ pub mod syntax;
 pub mod tree;
 pub(crate) mod untold;
 mod variants;
+pub mod words;
 
 pub use dialect::Dialect;
 pub use format::format;

@@ -25,6 +25,7 @@ pub(crate) mod resolve;
 pub(crate) mod size;
 pub mod syntax;
 pub mod why;
+pub mod words;
 
 pub use convert::convert;
 pub use format::format;
