@@ -8,6 +8,7 @@ mod compatibility;
 pub mod functions;
 pub mod fuzz;
 pub mod generate;
+mod grammars;
 mod limits;
 pub mod markdown;
 pub mod programs;
