@@ -38,7 +38,16 @@ pub fn version(program: &str) -> Option<String> {
 pub fn npm(verb: &str) -> Command {
     let mut command = Command::new("npm");
     let timeout = format!("--fetch-timeout={REGISTRY_SECONDS_MAX}000");
-    command.args([verb, "--no-audit", "--no-fund", "--loglevel=error", "--fetch-retries=1", "--fetch-retry-maxtimeout=2000", &timeout]);
+    command.args([
+        verb,
+        "--no-audit",
+        "--no-fund",
+        "--loglevel=error",
+        "--fetch-retries=1",
+        "--fetch-retry-mintimeout=1000",
+        "--fetch-retry-maxtimeout=2000",
+        &timeout,
+    ]);
     command
 }
 
