@@ -4,6 +4,7 @@ use serde_json::{Value, json};
 use sieben_lang::st::dialect::Dialect;
 use sieben_lang::st::standard::catalogue;
 use sieben_lang::st::words::{self, Kind, Word};
+use sieben_model::testing;
 use sieben_model::types::DataType;
 
 use super::patterns::{
@@ -124,10 +125,7 @@ pub(super) fn grammar(family: Family) -> Value {
         ]);
     }
     if family == Family::St {
-        patterns.push(rule(
-            &named("support.function.test"),
-            &format!(r"(?i){ALONE}(?:ASSERT_\w+|EXPECT_STOP|ADVANCE_TIME|SCAN|MOCK_VERIFY_\w+|MOCK_FUNCTION|MOCK|RETURNS)\b"),
-        ));
+        patterns.push(alone(&named("support.function.test"), testing::Word::ALL.iter().map(|word| word.text()).chain(["RETURNS"])));
     }
     patterns.extend([
         alone(&named("constant.language"), of(Kind::Constant)),
