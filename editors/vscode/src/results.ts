@@ -62,23 +62,27 @@ const DIAGRAM = 'timing diagram: ';
 
 /** A failure as it is shown. */
 export interface Failure {
-  /** In Markdown, with the diagram as text. */
+  /** In Markdown, without the diagram. */
   readonly markdown: string;
+  /** The timing diagram as text. */
+  readonly drawn: string;
   /** The file of the timing diagram, as SVG. */
   readonly diagram: string | undefined;
 }
 
 /** What is shown of a test that failed. */
 export function failureOf(result: Result): Failure {
-  const parts = [escaped(result.message ?? result.verdict)];
+  // The first line is also a title, in which code in backticks is not shown as it is.
+  const parts = [escaped((result.message ?? result.verdict).replaceAll('`', ''))];
   if (result.said !== null) parts.push(escaped(result.said));
   if (result.statement !== null) parts.push(fenced(result.statement, 'st'));
   const lines = result.more.filter((line) => !line.startsWith(DIAGRAM));
-  const sentences = lines.filter(isSentence);
-  const drawn = lines.filter((line) => !isSentence(line));
-  parts.push(...sentences.map(escaped));
-  if (drawn.length > 0) parts.push(fenced(drawn.join('\n'), 'text'));
-  return { markdown: parts.join('\n\n'), diagram: result.more.find((line) => line.startsWith(DIAGRAM))?.slice(DIAGRAM.length) };
+  parts.push(...lines.filter(isSentence).map(escaped));
+  return {
+    markdown: parts.join('\n\n'),
+    drawn: lines.filter((line) => !isSentence(line)).join('\n'),
+    diagram: result.more.find((line) => line.startsWith(DIAGRAM))?.slice(DIAGRAM.length),
+  };
 }
 
 /** Whether a further line is a sentence and no part of a drawing: who changed a value last, or what was left out. */

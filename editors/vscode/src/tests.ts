@@ -4,7 +4,7 @@ import { tmpdir } from 'node:os';
 import { basename, isAbsolute, join } from 'node:path';
 import * as vscode from 'vscode';
 import { html, isDark } from './picture';
-import { failureOf, placesOf, resultsOf, shortName, type Place, type Result } from './results';
+import { failureOf, placesOf, resultsOf, shortName, type Failure, type Place, type Result } from './results';
 import { program, run } from './sieben';
 
 /** So long files rest before the tests are looked for again. */
@@ -112,6 +112,8 @@ export class Tests implements vscode.Disposable {
         continue;
       }
       const item = this.item(id, shortName(place), at(folder, path), { folder, place, file: path });
+      // In the order of the file.
+      item.sortText = String(file.children.size).padStart(6, '0');
       if (place.line !== null) item.range = new vscode.Range(place.line - 1, 0, place.line - 1, 0);
       file.children.add(item);
     }
@@ -186,17 +188,22 @@ export class Tests implements vscode.Disposable {
       this.diagrams.delete(id);
       const took = result.duration_s * 1000;
       test.appendOutput(`${result.verdict.padEnd(7)} ${result.name}  (${result.scans} scans, ${result.time_ms} ms of virtual time)\r\n`, undefined, item);
-      if (result.verdict === 'passed') test.passed(item, took);
-      else test.failed(item, await this.message(item, folder, result), took);
+      if (result.verdict === 'passed') {
+        test.passed(item, took);
+        continue;
+      }
+      const failure = failureOf(result);
+      // The output has letters of one width, as a drawing needs them.
+      if (failure.drawn !== '') test.appendOutput(`${failure.drawn.replaceAll('\n', '\r\n')}\r\n`, undefined, item);
+      test.failed(item, await this.message(item, folder, result, failure), took);
     }
     if (results.length > 0) return;
     const reason = said.trim() === '' ? 'The program gave no result.' : said.trim();
     leaves.forEach((item) => test.errored(item, new vscode.TestMessage(reason)));
   }
 
-  /** What is shown of a failure: the sentence, the statement, the diagram as text and as a picture. */
-  private async message(item: vscode.TestItem, folder: vscode.WorkspaceFolder, result: Result): Promise<vscode.TestMessage> {
-    const failure = failureOf(result);
+  /** What is shown of a failure: the sentence, the statement, the diagram as a picture. */
+  private async message(item: vscode.TestItem, folder: vscode.WorkspaceFolder, result: Result, failure: Failure): Promise<vscode.TestMessage> {
     const text = new vscode.MarkdownString(failure.markdown);
     if (failure.diagram !== undefined) {
       const path = isAbsolute(failure.diagram) ? failure.diagram : join(folder.uri.fsPath, failure.diagram);
@@ -225,7 +232,7 @@ export class Tests implements vscode.Disposable {
     }
     const title = id?.split('\n')[1] ?? '';
     const panel = vscode.window.createWebviewPanel('sieben.failure', basename(title), vscode.ViewColumn.Beside, { enableScripts: false, localResourceRoots: [] });
-    panel.webview.html = html(svg, title, isDark());
+    panel.webview.html = html(svg, title, isDark(), 'fitting');
   }
 
   /** Runs the test at a line of a file: what a lens of the server does. */

@@ -27,6 +27,7 @@ const SETTINGS = {
   'git.enabled': false,
   'files.simpleDialog.enable': true,
   'editor.minimap.enabled': false,
+  'terminal.integrated.gpuAcceleration': 'off',
   'testing.automaticallyOpenPeekView': 'failureInVisibleDocument',
 };
 
