@@ -1,4 +1,4 @@
-//! Editor services as plain data: reference data of a compiled program, and pictures of its networks.
+//! Editor services as plain data: reference data of a compiled program, pictures of its networks, and what one source says by itself.
 #![forbid(unsafe_code)]
 
 pub mod assignment_list;
@@ -6,6 +6,7 @@ pub mod call_structure;
 pub mod cross_reference;
 pub mod drawing;
 pub mod tags;
+pub mod text;
 pub mod unused;
 
 pub use sieben_lang::references::target;

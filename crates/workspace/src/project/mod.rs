@@ -2,6 +2,7 @@
 
 mod awlsim;
 mod build;
+pub mod open;
 pub mod symbol_table;
 #[cfg(test)]
 mod tests;

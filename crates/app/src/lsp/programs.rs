@@ -1,0 +1,103 @@
+//! One program that stays open: its sources with what is wrong with them, renewed with each change.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::rc::Rc;
+
+use sieben_lang::LostResults;
+use sieben_lang::language::role::{self, Role};
+use sieben_model::source::FileId;
+use sieben_workspace::finding::Finding;
+use sieben_workspace::project::open::{Dialects, Open};
+use sieben_workspace::project::{Build, Overrides, Project};
+
+use super::uri;
+
+/// Bytes of a program that is tried in other dialects with each change; a larger one when it is read.
+const TRIED_BYTES_MAX: usize = 64 << 10;
+
+/// A program.
+pub(super) struct Program {
+    /// What reports call it, where there are several.
+    pub(super) name: String,
+    open: Open,
+    /// Its sources by their paths.
+    files: BTreeMap<PathBuf, FileId>,
+    findings: Option<Vec<Finding>>,
+    build: Option<Rc<Build>>,
+    /// Nothing was changed since it was read.
+    is_new: bool,
+    /// What each source is for, where a folder without a `sieben.toml` was looked through; filled as sources change.
+    roles: Option<BTreeMap<FileId, Role>>,
+}
+
+impl Program {
+    /// A program that was read.
+    pub(super) fn new(name: String, project: Project, overrides: Overrides, syntax_only: bool) -> Self {
+        let files = project.sources.iter().filter(|source| !source.embedded).map(|source| (uri::known(&source.path), source.id)).collect();
+        let roles = project.home.is_none().then(BTreeMap::new);
+        Self { name, open: Open::new(project, overrides, syntax_only), files, findings: None, build: None, is_new: true, roles }
+    }
+
+    /// Its texts and settings.
+    pub(super) fn project(&self) -> &Project {
+        self.open.project()
+    }
+
+    /// One of its sources.
+    pub(super) fn file(&self, path: &Path) -> Option<FileId> {
+        self.files.get(path).copied()
+    }
+
+    /// The path of one of its sources.
+    pub(super) fn path(&self, file: FileId) -> Option<&Path> {
+        self.files.iter().find(|(_, id)| **id == file).map(|(path, _)| path.as_path())
+    }
+
+    /// Its sources.
+    pub(super) fn files(&self) -> impl Iterator<Item = (&Path, FileId)> {
+        self.files.iter().map(|(path, id)| (path.as_path(), *id))
+    }
+
+    /// Gives a source another text. Without an answer the program has to be read again.
+    #[must_use]
+    pub(super) fn replace(&mut self, file: FileId, text: &str) -> Option<()> {
+        let source = self.open.project().texts.program.file(file);
+        if source.text == text {
+            return Some(());
+        }
+        // Which files make a program depends on what each is for.
+        let mut is_same = role::holds_tests(&source.text) == role::holds_tests(text);
+        if let Some(roles) = &mut self.roles {
+            let role = |text: &str| Role::of(&source.name, text, None);
+            let before = roles.remove(&file).unwrap_or_else(|| role(&source.text));
+            let after = role(text);
+            is_same &= before == after;
+            roles.insert(file, after);
+        }
+        self.open.replace(file, text).filter(|()| is_same)?;
+        (self.findings, self.build, self.is_new) = (None, None, false);
+        Some(())
+    }
+
+    /// Everything that is wrong with it.
+    pub(super) fn findings(&mut self) -> &[Finding] {
+        let Self { open, is_new, findings, .. } = self;
+        findings.get_or_insert_with(|| {
+            let bytes = || open.project().texts.program.iter().map(|(_, source)| source.text.len()).sum::<usize>();
+            let others = if *is_new || bytes() <= TRIED_BYTES_MAX { Dialects::Tried } else { Dialects::Judged };
+            open.findings(others)
+        })
+    }
+
+    /// It with its code, as far as it compiles.
+    pub(super) fn build(&mut self) -> Rc<Build> {
+        let Self { open, build, .. } = self;
+        Rc::clone(build.get_or_insert_with(|| Rc::new(open.build())))
+    }
+}
+
+/// How programs are compiled unless the client says something else: as `sieben check` does.
+pub(super) fn usual() -> Overrides {
+    Overrides { tells_lost: LostResults::All, ..Overrides::default() }
+}
