@@ -2,9 +2,8 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { expect, test } from '@playwright/test';
-import { EXTENSION, MANIFEST, shown, tokenized } from './grammar';
-
-const ROOT = join(EXTENSION, '../..');
+import { ROOT } from './binary';
+import { MANIFEST, shown, tokenized } from './grammar';
 
 interface Case {
   readonly name: string;

@@ -6,10 +6,8 @@ import { createServer } from 'node:net';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { chromium, expect, test as base, type Browser, type Locator, type Page } from '@playwright/test';
-import { EXTENSION } from '../grammar';
+import { BINARY, ROOT } from '../binary';
 
-const ROOT = join(EXTENSION, '../..');
-export const BINARY = process.env['SIEBEN'] ?? join(process.env['CARGO_TARGET_DIR'] ?? join(ROOT, 'target'), 'debug/sieben');
 const CODE_SERVER = process.env['CODE_SERVER'] ?? join(ROOT, 'target/code-server/node_modules/code-server/out/node/entry.js');
 const VSIX = process.env['VSIX'] ?? join(ROOT, 'target/sieben.vsix');
 /** Within this time code-server is ready. */

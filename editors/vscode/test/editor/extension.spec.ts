@@ -11,6 +11,50 @@ test('it is activated by a project, knows its languages and colours a source', a
   await expect.poll(async () => new Set(await statement.locator('span[class^=mtk]').evaluateAll((pieces) => pieces.map((piece) => piece.className))).size).toBeGreaterThan(1);
 });
 
+test('what is wrong is marked while it is typed, and a quick fix mends it', async ({ window }) => {
+  const { page } = window;
+  await window.open('dosing.awl');
+  await expect(window.status('Sieben').locator('.codicon-check')).toBeVisible();
+  await expect(page.locator('.squiggly-error')).toHaveCount(0);
+  // The point of `M 0.0` in line 9 becomes a comma.
+  await window.go(9, 16);
+  await page.keyboard.press('Delete');
+  await page.keyboard.type(',');
+  await expect(page.locator('.squiggly-error')).toHaveCount(1);
+  const problems = await window.problems();
+  await expect(problems.filter({ hasText: 'did you mean' })).toContainText('P2004');
+  await window.tab('dosing.awl').click();
+  await window.go(9, 16);
+  await page.keyboard.press('Control+.');
+  const fix = page.locator('.action-widget .monaco-list-row', { hasText: 'write' }).first();
+  await expect(fix).toBeVisible();
+  await page.keyboard.press('Enter');
+  await expect(page.locator('.squiggly-error')).toHaveCount(0);
+  await expect(window.lines.locator('.view-line', { hasText: 'FP' })).toContainText('M\u00a00.0');
+});
+
+test('the diagram panel draws the network at the cursor and follows it', async ({ window }) => {
+  const { page } = window;
+  await window.open('dosing.awl');
+  await expect(window.status('Sieben').locator('.codicon-check')).toBeVisible();
+  await window.go(8, 7);
+  await window.run('Sieben: Show Network as Diagram');
+  const inner = page.frameLocator('iframe.webview').frameLocator('iframe#active-frame');
+  const picture = inner.locator('img');
+  await expect(picture).toHaveAttribute('src', /^data:image\/svg\+xml;base64,/u);
+  expect(await picture.evaluate((image: HTMLImageElement) => image.naturalWidth)).toBeGreaterThan(50);
+  const first = await picture.getAttribute('src');
+  // Nothing of it runs, and nothing is fetched.
+  await expect(inner.locator('meta[http-equiv="Content-Security-Policy"]')).toHaveAttribute('content', /default-src 'none'; img-src data:; style-src 'nonce-[0-9a-f]+'/u);
+  await window.tab('dosing.awl').click();
+  await window.go(15, 7);
+  await expect(picture).not.toHaveAttribute('src', first ?? '');
+  await page.screenshot({ path: '/tmp/wt/ext-scratch/e.png' });
+  // Above the first network there is none.
+  await window.go(2, 1);
+  await expect(inner.locator('p')).toContainText('no network at the cursor');
+});
+
 test('a command has files that end in .st belong to Sieben', async ({ window, folder }) => {
   await window.run('Sieben: Use Sieben for Files that End in .st');
   await expect(window.page.locator('.quick-input-list .monaco-list-row').first()).toContainText('In this workspace');
@@ -51,7 +95,7 @@ test.describe('tests', () => {
     // The same as a panel of its own.
     await rows.filter({ hasText: 'the display shows 26' }).hover();
     await rows.filter({ hasText: 'the display shows 26' }).getByRole('button', { name: 'Show Timing Diagram of the Failure' }).click();
-    const picture = page.frameLocator('iframe.webview').last().frameLocator('iframe').locator('img');
+    const picture = page.frameLocator('iframe.webview').last().frameLocator('iframe#active-frame').locator('img');
     await expect(picture).toHaveAttribute('alt', /the display shows 26/u);
     expect(await picture.evaluate((image: HTMLImageElement) => image.naturalWidth)).toBeGreaterThan(100);
     await page.screenshot({ path: '/tmp/wt/ext-scratch/d.png' });
