@@ -4,7 +4,7 @@ import { execFileSync, spawn, type ChildProcess } from 'node:child_process';
 import { cpSync, mkdirSync, mkdtempSync, realpathSync, rmSync, writeFileSync } from 'node:fs';
 import { createServer } from 'node:net';
 import { tmpdir } from 'node:os';
-import { join } from 'node:path';
+import { dirname, join } from 'node:path';
 import { chromium, expect, test as base, type Browser, type Locator, type Page } from '@playwright/test';
 import { BINARY, ROOT } from '../binary';
 
@@ -174,18 +174,16 @@ export const test = base.extend<Fixtures, WorkerFixtures>({
     const above = realpathSync(mkdtempSync(join(tmpdir(), 'sieben-folder-')));
     const folder = join(above, example);
     cpSync(join(ROOT, 'examples', example), folder, { recursive: true, filter: (path) => !path.endsWith('/.sieben') });
-    for (const [name, text] of Object.entries(files)) writeFileSync(join(folder, name), text);
+    for (const [name, text] of Object.entries(files)) {
+      mkdirSync(dirname(join(folder, name)), { recursive: true });
+      writeFileSync(join(folder, name), text);
+    }
     await use(folder);
     rmSync(above, { recursive: true, force: true });
   },
   window: async ({ browser, codeServer, folder }, use) => {
     const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, locale: 'en-GB' });
     const page = await context.newPage();
-    const elsewhere: string[] = [];
-    page.on('request', (request) => {
-      const { host, protocol } = new URL(request.url());
-      if (/^https?:$/u.test(protocol) && !host.startsWith('127.0.0.1')) elsewhere.push(request.url());
-    });
     await page.goto(`http://127.0.0.1:${codeServer.port}/?folder=${encodeURIComponent(folder)}`);
     await page.locator('.monaco-workbench').waitFor({ timeout: 60_000 });
     const window = new Window(page, folder);

@@ -49,7 +49,6 @@ test('the diagram panel draws the network at the cursor and follows it', async (
   await window.tab('dosing.awl').click();
   await window.go(15, 7);
   await expect(picture).not.toHaveAttribute('src', first ?? '');
-  await page.screenshot({ path: '/tmp/wt/ext-scratch/e.png' });
   // Above the first network there is none.
   await window.go(2, 1);
   await expect(inner.locator('p')).toContainText('no network at the cursor');
@@ -66,6 +65,25 @@ test('a command has files that end in .st belong to Sieben', async ({ window, fo
 test('a task checks the project', async ({ window }) => {
   await window.run('Sieben: Check the Project');
   await expect(window.page.locator('.terminal-wrapper .xterm-rows')).toContainText('1 block in 1 source, no errors, no warnings.');
+});
+
+test.describe('without the program', () => {
+  test.use({ files: { '.vscode/settings.json': '{ "sieben.path": "/nowhere/sieben" }\n' } });
+
+  test('the status bar says that the program is missing, and colours are there all the same', async ({ window }) => {
+    await window.open('dosing.awl');
+    await expect(window.status('Sieben').locator('.codicon-error')).toBeVisible();
+    await expect(window.page.locator('.notifications-toasts')).toContainText('/nowhere/sieben');
+    await expect.poll(async () => window.lines.locator('.view-line', { hasText: 'I 0.0' }).first().locator('span[class^=mtk]').count()).toBeGreaterThan(1);
+  });
+});
+
+test('the walkthrough leads through all steps', async ({ window }) => {
+  await window.run('Sieben: Open the Walkthrough');
+  const steps = window.page.locator('.getting-started-step');
+  await expect(steps).toHaveCount(6);
+  await steps.filter({ hasText: 'Look at the network as a diagram' }).click();
+  await expect(window.page.getByRole('button', { name: 'Show Network as Diagram' })).toBeVisible();
 });
 
 test.describe('tests', () => {
@@ -86,19 +104,25 @@ test.describe('tests', () => {
     await window.run('Test: Run All Tests');
     await expect(rows.filter({ hasText: 'START opens the valve' }).locator('.codicon-testing-passed-icon')).toBeVisible();
     await expect(rows.filter({ hasText: 'the display shows 26' }).locator('.codicon-testing-failed-icon')).toBeVisible();
-    await page.screenshot({ path: '/tmp/wt/ext-scratch/c.png' });
     const message = page.locator('.test-message, .test-output-peek-message-container').first();
     await expect(message).toContainText('is W#16#0025 (WORD), not 16#0026');
     await expect(message).toContainText('was changed last by');
     await expect(message.locator('img')).toHaveAttribute('src', /^data:image\/svg/u);
-    await page.screenshot({ path: '/tmp/wt/ext-scratch/c.png' });
     // The same as a panel of its own.
     await rows.filter({ hasText: 'the display shows 26' }).hover();
     await rows.filter({ hasText: 'the display shows 26' }).getByRole('button', { name: 'Show Timing Diagram of the Failure' }).click();
     const picture = page.frameLocator('iframe.webview').last().frameLocator('iframe#active-frame').locator('img');
     await expect(picture).toHaveAttribute('alt', /the display shows 26/u);
     expect(await picture.evaluate((image: HTMLImageElement) => image.naturalWidth)).toBeGreaterThan(100);
-    await page.screenshot({ path: '/tmp/wt/ext-scratch/d.png' });
+  });
+
+  test('a lens at a test runs it', async ({ window }) => {
+    const { page } = window;
+    await window.open('dosing.test.st');
+    const lens = page.locator('.codelens-decoration a').first();
+    await expect(lens).toBeVisible();
+    await lens.click();
+    await expect(page.locator('.glyph-margin-widgets .codicon-testing-passed-icon')).toHaveCount(1);
   });
 });
 
