@@ -126,7 +126,7 @@ export class Tests implements vscode.Disposable {
     return item;
   }
 
-  /** Runs the tests that are asked for, those of one file and one by one with a run of the program each. */
+  /** Runs the tests that are asked for. */
   private async run(request: vscode.TestRunRequest, token: vscode.CancellationToken): Promise<void> {
     const test = this.controller.createTestRun(request);
     const found = program(this.context);
@@ -143,12 +143,12 @@ export class Tests implements vscode.Disposable {
           continue;
         }
         const all = request.include === undefined && excluded.size === 0;
-        for (const words of all ? [[]] : items.map((item) => this.words(item))) {
+        for (const { words, tests } of all ? [{ words: [], tests: leaves }] : this.portions(leaves)) {
           if (token.isCancellationRequested) break;
           const ended = await run(found.path, folder.uri.fsPath, ['test', '--json', '--svg', pictures, ...words], token);
           if (token.isCancellationRequested) break;
           if (ended.stderr !== '') test.appendOutput(ended.stderr.replaceAll(/\r?\n/gu, '\r\n'));
-          await this.take(test, folder, leaves, resultsOf(ended.stdout) ?? [], ended.stderr);
+          await this.take(test, folder, tests, resultsOf(ended.stdout) ?? [], ended.stderr);
         }
       }
     } finally {
@@ -171,11 +171,20 @@ export class Tests implements vscode.Disposable {
     return item.children.size === 0 ? [item] : [...item.children].flatMap(([, child]) => this.leaves(child));
   }
 
-  /** What is said to the program so that it runs an item. */
-  private words(item: vscode.TestItem): string[] {
-    const { place, file } = this.known.get(item) ?? {};
-    if (place !== undefined) return [...(file === undefined ? [] : [file]), '--filter', place.name];
-    return file === undefined ? [] : [file];
+  /** How tests are run with few runs of the program: several of a file by the whole file, one by its name. */
+  private portions(leaves: readonly vscode.TestItem[]): { words: string[]; tests: vscode.TestItem[] }[] {
+    const files = new Map<string, vscode.TestItem[]>();
+    const portions: { words: string[]; tests: vscode.TestItem[] }[] = [];
+    for (const item of leaves) {
+      const { file, place } = this.known.get(item) ?? {};
+      if (file !== undefined) files.set(file, [...(files.get(file) ?? []), item]);
+      else portions.push({ words: place === undefined ? [] : ['--filter', place.name], tests: [item] });
+    }
+    for (const [file, tests] of files) {
+      const only = tests.length === 1 && tests[0] !== undefined ? this.known.get(tests[0])?.place : undefined;
+      portions.push({ words: only === undefined ? [file] : [file, '--filter', only.name], tests });
+    }
+    return portions;
   }
 
   /** Shows results at their items. What was asked for and has no result says what the program said. */
@@ -197,9 +206,15 @@ export class Tests implements vscode.Disposable {
       if (failure.drawn !== '') test.appendOutput(`${failure.drawn.replaceAll('\n', '\r\n')}\r\n`, undefined, item);
       test.failed(item, await this.message(item, folder, result, failure), took);
     }
-    if (results.length > 0) return;
-    const reason = said.trim() === '' ? 'The program gave no result.' : said.trim();
-    leaves.forEach((item) => test.errored(item, new vscode.TestMessage(reason)));
+    // A file that does not compile has one result of its own name, and its tests have none.
+    const names = new Set(results.map(({ name }) => name));
+    for (const item of leaves) {
+      const { place, file } = this.known.get(item) ?? {};
+      if (names.has(place?.name ?? file ?? '')) continue;
+      const whole = results.find(({ name }) => name === file);
+      const message = new vscode.TestMessage(whole === undefined ? said.trim() || 'The program gave no result.' : new vscode.MarkdownString(failureOf(whole).markdown));
+      test.errored(item, message);
+    }
   }
 
   /** What is shown of a failure: the sentence, the statement, the diagram as a picture. */

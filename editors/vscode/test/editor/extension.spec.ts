@@ -1,5 +1,5 @@
 // The extension in VS Code itself.
-import { readFileSync } from 'node:fs';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { expect, test } from './code';
 
@@ -114,6 +114,24 @@ test.describe('tests', () => {
     const picture = page.frameLocator('iframe.webview').last().frameLocator('iframe#active-frame').locator('img');
     await expect(picture).toHaveAttribute('alt', /the display shows 26/u);
     expect(await picture.evaluate((image: HTMLImageElement) => image.naturalWidth)).toBeGreaterThan(100);
+  });
+
+  test('a test that is chosen runs alone, and a file that does not compile says why', async ({ window, folder }) => {
+    const { page } = window;
+    await window.run('Testing: Focus on Test Explorer View');
+    const rows = page.locator('.test-explorer .monaco-list-row');
+    const opens = rows.filter({ hasText: 'START opens the valve' });
+    await rows.filter({ hasText: 'dosing.test.st' }).locator('.monaco-tl-twistie').click();
+    await opens.hover();
+    await opens.getByRole('button', { name: 'Run Test' }).click();
+    await expect(opens.locator('.codicon-testing-passed-icon')).toBeVisible();
+    await expect(rows.filter({ hasText: 'the display shows 26' }).locator('.codicon-testing-unset-icon')).toBeVisible();
+    writeFileSync(join(folder, 'dosing.test.st'), "TEST 'no end'\n  nothing := 1;\nEND_TEST\n");
+    const whole = rows.filter({ hasText: 'dosing.test.st' });
+    await expect(opens).toHaveCount(0);
+    await whole.hover();
+    await whole.getByRole('button', { name: 'Run Test' }).click();
+    await expect(whole.locator('.codicon-testing-failed-icon, .codicon-testing-error-icon')).toBeVisible();
   });
 
   test('a lens at a test runs it', async ({ window }) => {
