@@ -126,7 +126,7 @@ pub(super) fn numbered(language: &str) -> Value {
 
 /// A number.
 pub(super) fn number(language: &str) -> Value {
-    rule(&format!("constant.numeric.{language}"), &format!(r"(?<![\w#])\d[\d_]*(?:\.\d+)?(?:[eE][+-]?\d+)?\b"))
+    rule(&format!("constant.numeric.{language}"), r"(?<![\w#])\d[\d_]*(?:\.\d+)?(?:[eE][+-]?\d+)?\b")
 }
 
 /// A variable of the block.
