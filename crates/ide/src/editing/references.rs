@@ -1,5 +1,7 @@
 //! Every use of what a name or an address stands for.
 
+use sieben_lang::names::{self, Found};
+
 use super::{Place, Position, Snapshot};
 
 /// How something is used.
@@ -27,6 +29,8 @@ pub enum Access {
     Type,
     /// It is the formal parameter of a call.
     Parameter,
+    /// A member of it is used, or it is only mentioned.
+    Path,
 }
 
 /// How a use is come by.
@@ -55,6 +59,36 @@ pub struct Use {
 
 /// Every use of what stands at a position, by text and place; the definitions are among them.
 pub fn references(snapshot: &Snapshot, position: Position) -> Vec<Use> {
-    let _ = (snapshot, position);
-    Vec::new()
+    let Some((_, _, target)) = snapshot.named(position) else { return Vec::new() };
+    uses(snapshot, &snapshot.names().uses(target, None))
+}
+
+/// What was found, with places and accesses.
+pub(super) fn uses(snapshot: &Snapshot, found: &[Found]) -> Vec<Use> {
+    let of = |&found: &Found| {
+        let access = match snapshot.names().access(found.text, found.occurrence) {
+            names::Access::Definition => Access::Definition,
+            names::Access::Read | names::Access::Argument => Access::Read,
+            names::Access::Write => Access::Write,
+            names::Access::ReadWrite => Access::ReadWrite,
+            names::Access::Call => Access::Call,
+            names::Access::Open => Access::Open,
+            names::Access::Instance => Access::Instance,
+            names::Access::Address => Access::Address,
+            names::Access::Jump => Access::Jump,
+            names::Access::Type => Access::Type,
+            names::Access::Parameter => Access::Parameter,
+            names::Access::Path => Access::Path,
+        };
+        let through = match found.through {
+            names::Through::Name => Through::Name,
+            names::Through::Address => Through::Address,
+            names::Through::Overlap => Through::Overlap,
+            names::Through::Pointer => Through::Pointer,
+        };
+        Some(Use { place: snapshot.place_of(found)?, access, through })
+    };
+    let mut uses: Vec<Use> = found.iter().filter_map(of).collect();
+    uses.sort_by_key(|one| one.place.clone());
+    uses
 }
