@@ -46,3 +46,23 @@ pub fn of_library() -> &'static [Arc<SourceNames>] {
     });
     &LIBRARY
 }
+
+/// A name as a key: names compare without regard to case.
+pub fn key(name: &str) -> String {
+    crate::scope::key(name)
+}
+
+/// Whether a name can stand in a source without quotation marks: letters, digits and `_`, no digit first, and no word of the language.
+pub fn is_identifier(name: &str, language: Language) -> bool {
+    let is_word = name.chars().next().is_some_and(|first| first.is_alphabetic() || first == '_')
+        && name.chars().all(|one| one.is_alphanumeric() || one == '_');
+    match language {
+        Language::Stl | Language::Diagram(_) => is_word,
+        Language::St(dialect) => {
+            let is_ascii = name.is_ascii() || dialect.base() == st::Dialect::Scl || dialect.base() == st::Dialect::Tia;
+            let is_type = sieben_model::types::DataType::from_word(&name.to_ascii_uppercase()).is_some();
+            let is_address = sieben_model::address::Operand::parse(name).is_some();
+            is_word && is_ascii && !is_type && !is_address && !st::standard::catalogue::is_keyword(name, dialect)
+        }
+    }
+}

@@ -7,6 +7,7 @@
 pub mod actions;
 pub mod calls;
 pub mod completion;
+mod context;
 pub mod definition;
 pub mod highlight;
 pub mod hints;
