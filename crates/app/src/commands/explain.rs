@@ -405,6 +405,11 @@ fn unknown(word: &str) -> Failure {
     }
 }
 
+/// The page of the problem with this code, for an editor.
+pub(crate) fn problem_page(code: &str) -> Option<String> {
+    Problem::from_code(code).map(problem)
+}
+
 /// The page of a problem: the row of the table, then what its page adds.
 fn problem(problem: Problem) -> String {
     let language = language::spoken();
