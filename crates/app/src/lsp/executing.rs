@@ -6,6 +6,7 @@ use std::time::{Duration, Instant};
 use lsp_server::{ErrorCode, RequestId};
 use lsp_types::Position;
 use serde_json::{Value, json};
+use sieben_model::block::BlockId;
 use sieben_model::language::Language;
 use sieben_sim::scenario::Rules;
 use sieben_workspace::places::Places;
@@ -15,7 +16,7 @@ use super::reading::missing;
 use super::requests::LATER;
 use super::server::Server;
 use super::work::{self, Answer, refused};
-use crate::diagrams::{Diagrams, ElementPlaces, Form, svg};
+use crate::diagrams::{Diagrams, ElementPlaces, Form, Written, svg};
 use crate::engines::EngineArgument;
 use crate::files;
 use crate::testing::computer::Computer;
@@ -99,7 +100,7 @@ fn show_diagram(server: &mut Server, arguments: &[Value]) -> Answer {
     let build = program.build();
     let places = Places::new(&build);
     let diagrams = Diagrams::new(&build, &places);
-    let mut best = None;
+    let mut best: Option<(u32, BlockId, &Written)> = None;
     for (block, code) in diagrams.blocks() {
         for network in &code.networks {
             let first = match &network.places {
