@@ -517,8 +517,12 @@ pub(super) const BELOW: &[Row] = &[
     // demo, run, serve, top
     ("the plant, live in the terminal", "die Anlage, live im Terminal"),
     (
-        "An editor starts it and speaks with it over standard input and output (Language Server Protocol). docs/how-to/editors.md says how to set up Neovim, Emacs and Helix; for VS Code there is an extension. Exit codes: 0 the editor has ended it, 1 the editor is gone, 2 usage.",
-        "Ein Editor startet ihn und spricht mit ihm über Standardein- und -ausgabe (Language Server Protocol).\ndocs/how-to/editors.md sagt, wie man Neovim, Emacs und Helix einrichtet; für VS Code gibt es eine Erweiterung.\n\nExitcodes: 0 der Editor hat ihn beendet, 1 der Editor ist weg, 2 Aufruf.",
+        "An editor starts it and speaks with it over standard input and output (Language Server Protocol). docs/how-to/editors.md says how to set up Neovim, Emacs and Helix; for VS Code there is an extension.",
+        "Ein Editor startet ihn und spricht mit ihm über Standardein- und -ausgabe (Language Server Protocol).\ndocs/how-to/editors.md sagt, wie man Neovim, Emacs und Helix einrichtet; für VS Code gibt es eine Erweiterung.",
+    ),
+    (
+        "Exit codes: 0 the editor has ended it, 1 the editor is gone, 2 usage.",
+        "Exitcodes: 0 der Editor hat ihn beendet, 1 der Editor ist weg, 2 Aufruf.",
     ),
     (
         "S7 clients reach it at 127.0.0.1:1102, or at the next free port",
