@@ -212,7 +212,9 @@ fn edited(snapshot: &Snapshot, edits: &[Edit]) -> Vec<Text> {
 fn a_rename_there_and_back_gives_the_same_bytes() {
     let mut steps = Steps(11);
     let mut renamed = 0;
-    for texts in projects() {
+    // The library has the names of its own sources.
+    let is_own = |texts: &Vec<Text>| !texts.iter().any(|text| text.name.contains("/library/"));
+    for texts in projects().into_iter().filter(is_own) {
         let snapshot = Snapshot::new(texts, &options());
         for _ in 0..8 {
             let index = steps.next(snapshot.texts().len());

@@ -274,7 +274,18 @@ impl Names {
     pub fn heads(&self, of: DefId) -> Vec<At> {
         match of {
             DefId::Definition { text, index } => vec![(text, index)],
-            DefId::Block(block) => self.blocks.get(&block).cloned().unwrap_or_default(),
+            DefId::Block(block) => {
+                let mut heads = self.blocks.get(&block).cloned().unwrap_or_default();
+                // A block of the project takes the place of one of the library with its number.
+                let is_own = |at: &At| {
+                    self.text(at.0).is_some_and(|text| !text.is_built_in)
+                        && self.definition_at(*at).is_some_and(|one| one.kind != DefinitionKind::Symbol)
+                };
+                if heads.iter().any(is_own) {
+                    heads.retain(|at| self.text(at.0).is_some_and(|text| !text.is_built_in));
+                }
+                heads
+            }
             DefId::Operand(operand) => self.addressed.get(&operand).cloned().unwrap_or_default(),
         }
     }
