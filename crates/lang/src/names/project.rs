@@ -183,6 +183,17 @@ impl Names {
         self.of_definition(*at)
     }
 
+    /// All that the user's texts define globally under a name.
+    pub fn all_global(&self, name: &str) -> Vec<DefId> {
+        let name = key(name);
+        let all = self.globals.get(name.as_str()).into_iter().flatten().chain(self.symbols.get(name.as_str()));
+        let own = all.filter(|at| self.text(at.0).is_some_and(|text| !text.is_built_in));
+        let mut found: Vec<DefId> = own.filter_map(|at| self.of_definition(*at)).collect();
+        found.sort_unstable();
+        found.dedup();
+        found
+    }
+
     /// What an occurrence stands for.
     pub fn resolve(&self, text: u32, occurrence: u32) -> Option<DefId> {
         self.resolved(text, occurrence, 0)

@@ -26,7 +26,7 @@ pub(super) fn actions(at: &At<'_>) -> Option<Action> {
     let (name, operand) = match one.written {
         Written::Operand(operand) if names.symbol_of(operand).is_none() && !matches!(operand, Operand::Block(_)) => {
             let spelled = operand.spell(mnemonics).replace(' ', "").replace('.', "_");
-            (free_name(at, &spelled), operand)
+            (free_name(at, &format!("Tag_{spelled}")), operand)
         }
         Written::Global(_) if resolved.is_none() && quotes_names(at.snapshot.language(at.text)?) => (written.to_owned(), free_address(at)),
         Written::Plain(_) if resolved.is_none() && !quotes_names(at.snapshot.language(at.text)?) => return None,
