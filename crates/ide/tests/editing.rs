@@ -13,7 +13,9 @@ use std::sync::Arc;
 use services::{answer, everything};
 use sieben_ide::editing::rename::{prepare, rename};
 use sieben_ide::editing::{Edit, Position, Role, Snapshot, Text, TextId};
-use sieben_lang::Options;
+use sieben_lang::{Options, compile, symbols};
+use sieben_model::source::{FileId, Sources};
+use sieben_model::symbols::SymbolTable;
 
 const MARK: char = '‸';
 
@@ -212,9 +214,11 @@ fn edited(snapshot: &Snapshot, edits: &[Edit]) -> Vec<Text> {
 fn a_rename_there_and_back_gives_the_same_bytes() {
     let mut steps = Steps(11);
     let mut renamed = 0;
-    for texts in projects() {
+    // The library has the names of its own sources.
+    let is_own = |texts: &Vec<Text>| !texts.iter().any(|text| text.name.contains("/library/"));
+    for texts in projects().into_iter().filter(is_own) {
         let snapshot = Snapshot::new(texts, &options());
-        for _ in 0..8 {
+        for _ in 0..60 {
             let index = steps.next(snapshot.texts().len());
             let position = Position { text: TextId(index), offset: steps.next(snapshot.texts()[index].text.len()) };
             let Ok(old) = prepare(&snapshot, position) else { continue };
@@ -238,4 +242,46 @@ fn a_rename_there_and_back_gives_the_same_bytes() {
         }
     }
     assert!(renamed > 100, "{renamed} names were renamed");
+}
+
+/// The problems of a project, as numbers in order.
+fn problems(texts: &[Text]) -> Vec<String> {
+    let mut sources = Sources::default();
+    let mut symbols = SymbolTable::default();
+    for text in texts {
+        match text.role {
+            Role::Source if !text.name.ends_with(".test.st") => drop(sources.add(&*text.name, &*text.text)),
+            Role::Symbols => {
+                let format = symbols::detect(&text.name, &text.text).expect("the table has a format");
+                symbols::read(FileId::default(), &text.text, format).table.symbols().iter().for_each(|row| symbols.push(row.clone()));
+            }
+            _ => {}
+        }
+    }
+    let found = compile(&sources, &symbols, &options()).diagnostics;
+    let mut codes: Vec<String> = found.iter().map(|one| format!("{:?}", one.problem)).collect();
+    codes.sort();
+    codes
+}
+
+#[test]
+fn a_program_has_the_same_problems_after_a_rename() {
+    let mut steps = Steps(5);
+    let mut renamed = 0;
+    let is_example = |texts: &Vec<Text>| texts.iter().any(|text| text.name.contains("/examples/"));
+    for texts in projects().into_iter().filter(is_example) {
+        let snapshot = Snapshot::new(texts, &options());
+        let before = problems(snapshot.texts());
+        for _ in 0..12 {
+            let index = steps.next(snapshot.texts().len());
+            let position = Position { text: TextId(index), offset: steps.next(snapshot.texts()[index].text.len()) };
+            let Ok(old) = prepare(&snapshot, position) else { continue };
+            let other = if old.name.len() > 4 { "Zz9_other" } else { "zq7" };
+            let Ok(edits) = rename(&snapshot, position, other) else { continue };
+            let after = problems(&edited(&snapshot, &edits));
+            assert_eq!(before, after, "{} in {}", old.name, snapshot.texts()[index].name);
+            renamed += 1;
+        }
+    }
+    assert!(renamed > 20, "{renamed} names were renamed");
 }

@@ -1,6 +1,13 @@
 //! What can be written at a position.
 
-use super::{Bytes, Position, Snapshot};
+mod collect;
+mod st;
+mod stl;
+
+use super::{Bytes, Position, Role, Snapshot, context};
+
+/// Most proposals of an answer: more are not looked through, and more letters make them fewer.
+pub const ITEMS_MAX: usize = 300;
 
 /// What a proposal is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -67,6 +74,22 @@ pub struct Completion {
 
 /// What can be written at a position.
 pub fn completion(snapshot: &Snapshot, position: Position) -> Completion {
-    let _ = (snapshot, position);
-    Completion::default()
+    let Some(text) = snapshot.text(position.text).filter(|text| text.role == Role::Source) else { return Completion::default() };
+    let (Some(language), Some(offset)) = (snapshot.language(position.text), snapshot.offset(position)) else {
+        return Completion::default();
+    };
+    if context::in_comment(&text.text, offset) {
+        return Completion::default();
+    }
+    let position = Position { offset, ..position };
+    let mut typed = context::typed(&text.text, offset, language);
+    if language.dialect().is_none() {
+        context::with_kind(&text.text, &mut typed);
+    }
+    let mut collector = collect::Collector::new(snapshot, position, &typed);
+    match language.dialect() {
+        None => stl::collect(&mut collector, language),
+        Some(dialect) => st::collect(&mut collector, dialect),
+    }
+    collector.finish()
 }

@@ -109,6 +109,18 @@ pub(super) fn typed(text: &str, offset: usize, language: Language) -> Typed {
     Typed { start: line_start + start, word, path }
 }
 
+/// Takes the letters of a block into a word of STL that is its number: `FC 1`.
+pub(super) fn with_kind(text: &str, typed: &mut Typed) {
+    let is_number = typed.word.quoting == Quoting::Bare && typed.word.text.chars().all(|sign| sign.is_ascii_digit());
+    let line = line_before(text, typed.start);
+    let Some(before) = line.strip_suffix(' ').map(str::trim_end).filter(|_| is_number && typed.path.is_empty()) else { return };
+    let letters = &before[before.trim_end_matches(|sign: char| sign.is_ascii_alphabetic()).len()..];
+    if BlockKind::from_abbreviation(letters).is_some() {
+        typed.start -= line.len() - before.len() + letters.len();
+        typed.word.text = format!("{letters} {}", typed.word.text);
+    }
+}
+
 /// The names with points after them before a byte of a line, and where the first begins.
 fn path_before(line: &str, start: usize) -> (Vec<Name>, usize) {
     let mut path = Vec::new();

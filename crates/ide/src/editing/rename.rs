@@ -142,7 +142,15 @@ fn is_free(snapshot: &Snapshot, target: DefId, new_name: &str, uses: &[(Found, P
         }
     }
     let is_global = owners.is_empty() || owners.iter().filter_map(definition).any(|owner| owner.kind == DefinitionKind::Group);
-    if is_global && names.global(&new_key).is_some_and(|other| other != target) {
+    if is_global && names.names_of(target).iter().any(|name| names.all_global(name).len() > 1) {
+        return Err("the project has several things with this name, so that it is not clear what would be renamed".to_owned());
+    }
+    // A name of the library is free while nothing uses it.
+    let counts = |other: DefId| {
+        let is_own = names.heads(other).iter().any(|at| snapshot.places_of(*at).is_some());
+        other != target && (is_own || !names.named_uses(other, None).is_empty())
+    };
+    if is_global && names.global(&new_key).is_some_and(counts) {
         return Err(format!("the project has something with the name `{new_name}` already"));
     }
     if is_label {

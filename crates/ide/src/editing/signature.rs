@@ -34,7 +34,11 @@ pub fn signature(snapshot: &Snapshot, position: Position) -> Option<Signature> {
         return of_standard(&call);
     };
     let block = context::block_of(snapshot, callee);
-    let parameters = parameters(snapshot, block);
+    let is_st = snapshot.language(position.text).is_some_and(|language| language.dialect().is_some());
+    let mut parameters = parameters(snapshot, block);
+    // In ST the result of a function is its value and no parameter.
+    let result = parameters.iter().find(|one| one.kind == DefinitionKind::Result).map(|one| one.data_type.clone());
+    parameters.retain(|one| !is_st || one.kind != DefinitionKind::Result);
     let mut label = format!("{}(", call.word);
     let mut shown = Vec::new();
     for (index, parameter) in parameters.iter().enumerate() {
@@ -48,6 +52,10 @@ pub fn signature(snapshot: &Snapshot, position: Position) -> Option<Signature> {
     label.push(')');
     let heads = snapshot.names().heads(block);
     let head = heads.iter().filter_map(|at| snapshot.names().definition_at(*at)).find(|one| one.kind != DefinitionKind::Symbol);
+    let result = result.or_else(|| head.map(|head| head.data_type.clone())).filter(|result| is_st && !result.is_empty());
+    if let Some(result) = result {
+        label.push_str(&format!(" : {result}"));
+    }
     let documentation = head.map(|head| head.comment.clone()).unwrap_or_default();
     let by_name = call.name.as_ref().and_then(|name| parameters.iter().position(|one| one.name.eq_ignore_ascii_case(name)));
     let by_place = (call.name.is_none() && call.argument < parameters.len()).then_some(call.argument);

@@ -141,11 +141,6 @@ impl Snapshot {
         self.names.text(text.0 as u32)
     }
 
-    /// How the project is compiled.
-    pub(crate) fn options(&self) -> &Options {
-        &self.options
-    }
-
     /// The mnemonic language of a text, or else that of the project.
     pub(crate) fn mnemonics(&self, text: TextId) -> Mnemonics {
         self.of_text(text).and_then(|names| names.mnemonics).or(self.options.mnemonics).unwrap_or_default()

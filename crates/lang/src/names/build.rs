@@ -32,7 +32,10 @@ impl<'t> Builder<'t> {
 
     /// The number of a name.
     pub(crate) fn id(&mut self, name: &str) -> NameId {
-        let key = key(name);
+        self.intern(key(name))
+    }
+
+    fn intern(&mut self, key: String) -> NameId {
         if let Some(&id) = self.names.ids.get(key.as_str()) {
             return id;
         }
@@ -73,7 +76,7 @@ impl<'t> Builder<'t> {
     /// The same where the place is known.
     pub(crate) fn define_at(&mut self, kind: DefinitionKind, name: &str, span: Bytes, whole: Bytes) -> u32 {
         let index = self.names.definitions.len() as u32;
-        let id = self.id(name);
+        let id = if kind == DefinitionKind::Label { self.label_id(name) } else { self.id(name) };
         if self.names.defined.len() <= id as usize {
             self.names.defined.resize_with(id as usize + 1, Vec::new);
         }
@@ -166,6 +169,22 @@ impl<'t> Builder<'t> {
         let place = self.locate(span, name)?;
         let id = self.id(name);
         Some(self.push(place, written(id), access))
+    }
+
+    /// A jump to a label of STL.
+    pub(crate) fn label(&mut self, name: &str, span: Span) {
+        if let Some(place) = self.locate(span, name) {
+            let id = self.label_id(name);
+            self.push(place, Written::Label(id), Access::Jump);
+        }
+    }
+
+    /// The number of a label: in STL its case matters, and no other name has its key.
+    fn label_id(&mut self, name: &str) -> NameId {
+        match self.names.mnemonics {
+            Some(_) => self.intern(format!(":{name}")),
+            None => self.id(name),
+        }
     }
 
     /// An address, a timer, a counter or a block.

@@ -183,6 +183,17 @@ impl Names {
         self.of_definition(*at)
     }
 
+    /// All that the user's texts define globally under a name.
+    pub fn all_global(&self, name: &str) -> Vec<DefId> {
+        let name = key(name);
+        let all = self.globals.get(name.as_str()).into_iter().flatten().chain(self.symbols.get(name.as_str()));
+        let own = all.filter(|at| self.text(at.0).is_some_and(|text| !text.is_built_in));
+        let mut found: Vec<DefId> = own.filter_map(|at| self.of_definition(*at)).collect();
+        found.sort_unstable();
+        found.dedup();
+        found
+    }
+
     /// What an occurrence stands for.
     pub fn resolve(&self, text: u32, occurrence: u32) -> Option<DefId> {
         self.resolved(text, occurrence, 0)
@@ -274,7 +285,18 @@ impl Names {
     pub fn heads(&self, of: DefId) -> Vec<At> {
         match of {
             DefId::Definition { text, index } => vec![(text, index)],
-            DefId::Block(block) => self.blocks.get(&block).cloned().unwrap_or_default(),
+            DefId::Block(block) => {
+                let mut heads = self.blocks.get(&block).cloned().unwrap_or_default();
+                // A block of the project takes the place of one of the library with its number.
+                let is_own = |at: &At| {
+                    self.text(at.0).is_some_and(|text| !text.is_built_in)
+                        && self.definition_at(*at).is_some_and(|one| one.kind != DefinitionKind::Symbol)
+                };
+                if heads.iter().any(is_own) {
+                    heads.retain(|at| self.text(at.0).is_some_and(|text| !text.is_built_in));
+                }
+                heads
+            }
             DefId::Operand(operand) => self.addressed.get(&operand).cloned().unwrap_or_default(),
         }
     }

@@ -178,7 +178,7 @@ impl Collector<'_> {
         if let (Operand::Name { word, path }, Access::Jump) = (&statement.operand, access)
             && path.is_empty()
         {
-            self.to.name(&word.text, word.span, Written::Label, Access::Jump);
+            self.to.label(&word.text, word.span);
             return;
         }
         self.operand(&statement.operand, statement.operand_span, access);
