@@ -225,6 +225,38 @@ fn a_network_is_drawn_and_a_test_is_run() {
 }
 
 #[test]
+fn an_unknown_name_in_a_test_file_is_a_warning_for_the_server_and_for_check() {
+    let test = "TEST 'it doses'\n  ASSERT_EQ(\"Pmup\", TRUE);\nEND_TEST\n";
+    let files = [("sieben.toml", ""), ("symbols.csv", SYMBOLS), ("main.awl", MAIN), ("dosing.awl", DOSING), ("plant.test.st", test)];
+    let mut client = Client::start("test-files", &files, &json!({}));
+    let list = client.diagnostics("plant.test.st", None);
+    assert!(!list.is_empty() && list.iter().all(|one| one["severity"] == 2), "{list:?}");
+    assert_eq!(list[0]["range"]["start"]["line"], 1);
+    let checked = checked(&client.folder);
+    assert_eq!(checked.first().map(|(file, _, line)| (file.as_str(), *line)), Some(("plant.test.st", 2)), "{checked:?}");
+    client.open("plant.test.st", &test.replace("Pmup", "Pump"));
+    assert_eq!(client.diagnostics("plant.test.st", None), Vec::<Value>::new());
+}
+
+#[test]
+fn a_word_is_explained_and_completed() {
+    let mut client = plant("words");
+    let hover = client.at("textDocument/hover", "main.awl", &marked(MAIN, "Pump\";"))["result"].clone();
+    assert!(hover["contents"]["value"].as_str().is_some_and(|text| text.contains("the pump")), "{hover}");
+    let hover = client.at("textDocument/hover", "main.awl", &marked(MAIN, "JC    M001"))["result"].clone();
+    assert!(hover["contents"]["value"].as_str().is_some_and(|text| text.contains("JC")), "{hover}");
+    let completion = client.at("textDocument/completion", "main.awl", &MAIN.replace("=     \"Pump", "=     \"|Pump"))["result"].clone();
+    let pump = completion["items"].as_array().into_iter().flatten().find(|item| item["label"].as_str().is_some_and(|label| label.contains("Pump")));
+    assert!(pump.is_some_and(|item| item["textEdit"]["newText"].as_str().is_some_and(|text| text.contains("\"Pump\""))), "{completion}");
+    let signature = client.at("textDocument/signatureHelp", "main.awl", &marked(MAIN, "amount := 3"))["result"].clone();
+    assert!(signature["signatures"][0]["label"].as_str().is_some_and(|label| label.contains("amount : INT")), "{signature}");
+    let uri = client.uri("main.awl");
+    let range = json!({ "start": { "line": 0, "character": 0 }, "end": { "line": 99, "character": 0 } });
+    let hints = client.result("textDocument/inlayHint", json!({ "textDocument": { "uri": uri }, "range": range }));
+    assert!(hints.as_array().into_iter().flatten().any(|hint| hint["label"] == "Q 4.0"), "{hints}");
+}
+
+#[test]
 fn positions_are_counted_as_agreed_in_texts_with_any_line_ends() {
     for (encodings, expected, columns) in [(json!(["utf-16", "utf-8"]), "utf-8", 18), (json!(["utf-16"]), "utf-16", 15), (json!(null), "utf-16", 15)] {
         let mut client = Client::silent(&format!("columns-{columns}-{expected}-{}", encodings.is_null()), &[]);

@@ -252,7 +252,7 @@ impl Folders {
     }
 
     /// Everything that is wrong, by the texts that it is wrong in: a list for each folder and each text that belongs to none.
-    pub(super) fn found(&mut self) -> Vec<(Option<Place>, Vec<Finding>, Texts)> {
+    pub(super) fn found(&mut self, documents: &Documents) -> Vec<(Option<Place>, Vec<Finding>, Texts)> {
         let mut all: Vec<(Option<Place>, Vec<Finding>, Texts)> = Vec::new();
         for root in &mut self.roots {
             let (mut findings, texts) = root.found();
@@ -261,6 +261,8 @@ impl Folders {
                 findings.retain(|finding| finding.diagnostic.problem != Problem::P6005);
             }
             all.push((None, findings, texts));
+            let tests = root.programs.iter_mut().flat_map(|program| program.tests(documents));
+            all.extend(tests.map(|(findings, texts)| (None, findings, texts)));
         }
         for (place, program) in &mut self.alone {
             let findings = program.findings().to_vec();

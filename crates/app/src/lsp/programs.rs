@@ -9,7 +9,7 @@ use sieben_ide::editing::{Role, Snapshot, Text};
 use sieben_lang::{LostResults, encoding};
 use sieben_lang::language::role;
 use sieben_model::source::FileId;
-use sieben_workspace::finding::Finding;
+use sieben_workspace::finding::{self, Finding, Texts};
 use sieben_workspace::project::open::{Dialects, Open};
 use sieben_workspace::project::{Build, Overrides, Project};
 
@@ -30,10 +30,13 @@ pub(super) struct Program {
     findings: Option<Vec<Finding>>,
     build: Option<Rc<Build>>,
     snapshot: Option<Snapshot>,
+    /// What is wrong with its test files, by their paths, with the texts that they had.
+    tests: BTreeMap<PathBuf, (Arc<str>, Vec<Finding>, Texts)>,
     /// Nothing was changed since it was read.
     is_new: bool,
     /// What each source is for, where a folder without a `sieben.toml` was looked through; filled as sources change.
     roles: Option<BTreeMap<FileId, role::Role>>,
+    overrides: Overrides,
 }
 
 impl Program {
@@ -41,7 +44,7 @@ impl Program {
     pub(super) fn new(name: String, project: Project, overrides: Overrides, syntax_only: bool) -> Self {
         let files = project.sources.iter().filter(|source| !source.embedded).map(|source| (uri::known(&source.path), source.id)).collect();
         let roles = project.home.is_none().then(BTreeMap::new);
-        Self { name, open: Open::new(project, overrides, syntax_only), files, findings: None, build: None, snapshot: None, is_new: true, roles }
+        Self { name, open: Open::new(project, overrides, syntax_only), files, findings: None, build: None, snapshot: None, tests: BTreeMap::new(), is_new: true, roles, overrides }
     }
 
     /// Its texts and settings.
@@ -72,7 +75,14 @@ impl Program {
         }
         self.open.replace(file, text).filter(|()| is_same)?;
         (self.findings, self.build, self.is_new) = (None, None, false);
+        if self.bytes() <= TRIED_BYTES_MAX {
+            self.tests.clear();
+        }
         Some(())
+    }
+
+    fn bytes(&self) -> usize {
+        self.project().texts.program.iter().map(|(_, source)| source.text.len()).sum()
     }
 
     /// Everything that is wrong with it.
@@ -83,6 +93,33 @@ impl Program {
             let others = if *is_new || bytes() <= TRIED_BYTES_MAX { Dialects::Tried } else { Dialects::Judged };
             open.findings(others)
         })
+    }
+
+    /// Everything that is wrong with its test files, and the texts that it is wrong in. In a large program a test file is looked at again
+    /// when it changes, in a small one with each change.
+    pub(super) fn tests(&mut self, documents: &Documents) -> Vec<(Vec<Finding>, Texts)> {
+        if finding::has_errors(self.findings()) {
+            return Vec::new();
+        }
+        let mut known = std::mem::take(&mut self.tests);
+        let project = self.open.project();
+        for test in project.tests.iter().filter(|test| !paths::is_scenario(test)) {
+            let open = documents.get(&Place::File(uri::known(test))).map(|document| Arc::clone(document.text()));
+            let saved = || Some(Arc::from(encoding::read_source(&files::read_saved(test).ok()?).ok()?.text));
+            let Some(text) = open.or_else(saved) else { continue };
+            let kept = known.remove(test).filter(|(before, ..)| *before == text);
+            let found = kept.unwrap_or_else(|| {
+                let mut texts = Texts::default();
+                let is_test = role::is_test(&paths::shown(test), &text);
+                let findings = match is_test {
+                    true => project.findings_of_test(test, text.as_bytes(), self.overrides, &mut texts),
+                    false => Vec::new(),
+                };
+                (Arc::clone(&text), findings, texts)
+            });
+            self.tests.insert(test.clone(), found);
+        }
+        self.tests.values().map(|(_, findings, texts)| (findings.clone(), texts.clone())).collect()
     }
 
     /// Its texts with the names in them: sources, symbol tables, test files.
