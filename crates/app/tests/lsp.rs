@@ -58,7 +58,8 @@ fn marked(text: &str, word: &str) -> String {
 #[test]
 fn what_is_wrong_is_told_as_check_tells_it_and_goes_when_it_is_right() {
     let wrong = MAIN.replace("=     \"Pump\"", "=     \"Pmup\"");
-    let files = [("sieben.toml", "[project]\nsoruces = []\n"), ("symbols.csv", SYMBOLS), ("main.awl", wrong.as_str()), ("dosing.awl", DOSING)];
+    let files =
+        [("sieben.toml", "[project]\nsoruces = []\n"), ("symbols.csv", SYMBOLS), ("main.awl", wrong.as_str()), ("dosing.awl", DOSING)];
     let mut client = Client::start("check", &files, &json!({}));
     client.open("main.awl", &wrong);
     let main = client.diagnostics("main.awl", Some(1));
@@ -96,15 +97,23 @@ fn one_text_has_an_outline_folds_tokens_and_selections() {
     let text = json!({ "textDocument": { "uri": client.uri("main.awl") } });
     let outline = client.result("textDocument/documentSymbol", text.clone());
     let names = |rows: &Value| -> Vec<String> {
-        rows.as_array().into_iter().flatten().map(|row| format!("{} {}", row["name"].as_str().unwrap_or("-"), row["detail"].as_str().unwrap_or("-"))).collect()
+        rows.as_array()
+            .into_iter()
+            .flatten()
+            .map(|row| format!("{} {}", row["name"].as_str().unwrap_or("-"), row["detail"].as_str().unwrap_or("-")))
+            .collect()
     };
     assert_eq!(names(&outline), ["OB 1 the cycle"]);
     assert_eq!(names(&outline[0]["children"]), ["VAR_TEMP ", "Network 1 Pump", "Network 2 Dosing"]);
     assert_eq!(names(&outline[0]["children"][0]["children"]), ["count INT"]);
     assert_eq!(names(&outline[0]["children"][1]["children"]), ["M001 "]);
     let folds = client.result("textDocument/foldingRange", text.clone());
-    let shown: Vec<String> =
-        folds.as_array().into_iter().flatten().map(|fold| format!("{}-{} {}", fold["startLine"], fold["endLine"], fold["kind"].as_str().unwrap_or("code"))).collect();
+    let shown: Vec<String> = folds
+        .as_array()
+        .into_iter()
+        .flatten()
+        .map(|fold| format!("{}-{} {}", fold["startLine"], fold["endLine"], fold["kind"].as_str().unwrap_or("code")))
+        .collect();
     for expected in ["0-20 code", "2-4 code", "6-13 region", "8-9 comment", "14-19 region"] {
         assert!(shown.iter().any(|one| one == expected), "{expected}: {shown:?}");
     }
@@ -136,7 +145,8 @@ fn formatting_gives_the_edits_that_fmt_makes() {
     let ugly = "FUNCTION FC 9 : VOID\nBEGIN\nA I 0.0;\n= Q 4.0;\nEND_FUNCTION\n";
     client.open("ugly.awl", ugly);
     let uri = client.uri("ugly.awl");
-    let edits = client.result("textDocument/formatting", json!({ "textDocument": { "uri": uri }, "options": { "tabSize": 4, "insertSpaces": true } }));
+    let edits = client
+        .result("textDocument/formatting", json!({ "textDocument": { "uri": uri }, "options": { "tabSize": 4, "insertSpaces": true } }));
     let edits = edits.as_array().cloned().unwrap_or_default();
     assert!(!edits.is_empty());
     let mut made = ugly.to_owned();
@@ -145,11 +155,13 @@ fn formatting_gives_the_edits_that_fmt_makes() {
         made = made.replacen(&old, edit["newText"].as_str().unwrap_or_default(), 1);
     }
     std::fs::write(client.folder.join("ugly.awl"), ugly).expect("it can be written");
-    let output = std::process::Command::new(env!("CARGO_BIN_EXE_sieben")).arg("fmt").arg(client.folder.join("ugly.awl")).output().expect("it runs");
+    let output =
+        std::process::Command::new(env!("CARGO_BIN_EXE_sieben")).arg("fmt").arg(client.folder.join("ugly.awl")).output().expect("it runs");
     assert_eq!(made, String::from_utf8_lossy(&output.stdout));
     client.open("wrong.awl", "FUNCTION FC 8 : VOID\nBEGIN\n  )(;\n");
     let uri = client.uri("wrong.awl");
-    let refused = client.ask("textDocument/formatting", json!({ "textDocument": { "uri": uri }, "options": { "tabSize": 4, "insertSpaces": true } }));
+    let refused =
+        client.ask("textDocument/formatting", json!({ "textDocument": { "uri": uri }, "options": { "tabSize": 4, "insertSpaces": true } }));
     assert_eq!(refused["error"]["code"], -32803, "{refused}");
 }
 
@@ -192,7 +204,8 @@ fn a_fix_is_offered_and_all_certain_ones_at_once() {
     assert!(!list.is_empty());
     let uri = client.uri("main.awl");
     let all = json!({ "start": { "line": 0, "character": 0 }, "end": { "line": 99, "character": 0 } });
-    let actions = client.result("textDocument/codeAction", json!({ "textDocument": { "uri": uri }, "range": all, "context": { "diagnostics": list } }));
+    let actions = client
+        .result("textDocument/codeAction", json!({ "textDocument": { "uri": uri }, "range": all, "context": { "diagnostics": list } }));
     let kinds: Vec<&str> = actions.as_array().into_iter().flatten().filter_map(|action| action["kind"].as_str()).collect();
     assert!(kinds.contains(&"quickfix"), "{actions}");
     let only = client.result(
@@ -246,7 +259,11 @@ fn a_word_is_explained_and_completed() {
     let hover = client.at("textDocument/hover", "main.awl", &marked(MAIN, "JC    M001"))["result"].clone();
     assert!(hover["contents"]["value"].as_str().is_some_and(|text| text.contains("JC")), "{hover}");
     let completion = client.at("textDocument/completion", "main.awl", &MAIN.replace("=     \"Pump", "=     \"|Pump"))["result"].clone();
-    let pump = completion["items"].as_array().into_iter().flatten().find(|item| item["label"].as_str().is_some_and(|label| label.contains("Pump")));
+    let pump = completion["items"]
+        .as_array()
+        .into_iter()
+        .flatten()
+        .find(|item| item["label"].as_str().is_some_and(|label| label.contains("Pump")));
     assert!(pump.is_some_and(|item| item["textEdit"]["newText"].as_str().is_some_and(|text| text.contains("\"Pump\""))), "{completion}");
     let signature = client.at("textDocument/signatureHelp", "main.awl", &marked(MAIN, "amount := 3"))["result"].clone();
     assert!(signature["signatures"][0]["label"].as_str().is_some_and(|label| label.contains("amount : INT")), "{signature}");
@@ -258,7 +275,9 @@ fn a_word_is_explained_and_completed() {
 
 #[test]
 fn positions_are_counted_as_agreed_in_texts_with_any_line_ends() {
-    for (encodings, expected, columns) in [(json!(["utf-16", "utf-8"]), "utf-8", 18), (json!(["utf-16"]), "utf-16", 15), (json!(null), "utf-16", 15)] {
+    for (encodings, expected, columns) in
+        [(json!(["utf-16", "utf-8"]), "utf-8", 18), (json!(["utf-16"]), "utf-16", 15), (json!(null), "utf-16", 15)]
+    {
         let mut client = Client::silent(&format!("columns-{columns}-{expected}-{}", encodings.is_null()), &[]);
         let answer = client.ask("initialize", json!({ "processId": null, "rootUri": null, "workspaceFolders": null, "capabilities": { "general": { "positionEncodings": encodings } } }));
         assert_eq!(answer["result"]["capabilities"]["positionEncoding"], expected);
@@ -267,7 +286,8 @@ fn positions_are_counted_as_agreed_in_texts_with_any_line_ends() {
             let text = ["ORGANIZATION_BLOCK OB 1", "BEGIN", "      A     \"😀ü\"; XYZ 1;", "END_ORGANIZATION_BLOCK", ""].join(line_end);
             client.open(path, &text);
             let list = client.diagnostics(path, Some(1));
-            let wanted = list.iter().find(|one| one["message"].as_str().is_some_and(|message| message.contains("XYZ"))).cloned().unwrap_or_default();
+            let wanted =
+                list.iter().find(|one| one["message"].as_str().is_some_and(|message| message.contains("XYZ"))).cloned().unwrap_or_default();
             let start = &wanted["range"]["start"];
             assert_eq!((&start["line"], &start["character"]), (&json!(2), &json!(columns + 4)), "{path} {expected} {list:?}");
         }
@@ -287,7 +307,13 @@ fn wrong_messages_are_answered_and_end_nothing() {
     assert_eq!(client.ask("textDocument/nothing", json!({}))["error"]["code"], -32601);
     assert_eq!(client.ask("$/nothing", Value::Null)["error"]["code"], -32601);
     assert_eq!(client.ask("textDocument/hover", json!([1]))["error"]["code"], -32602);
-    assert_eq!(client.ask("textDocument/hover", json!({ "textDocument": { "uri": "file:///no/such.awl" }, "position": { "line": 0, "character": 0 } }))["error"]["code"], -32602);
+    assert_eq!(
+        client.ask(
+            "textDocument/hover",
+            json!({ "textDocument": { "uri": "file:///no/such.awl" }, "position": { "line": 0, "character": 0 } })
+        )["error"]["code"],
+        -32602
+    );
     assert_eq!(client.ask("workspace/executeCommand", json!({ "command": "no" }))["error"]["code"], -32602);
     client.tell("textDocument/didChange", json!({ "textDocument": { "uri": "file:///no/such.awl", "version": 1 }, "contentChanges": [] }));
     client.tell("$/nothing", json!({}));
@@ -301,7 +327,9 @@ fn wrong_messages_are_answered_and_end_nothing() {
     client.open("main.awl", MAIN);
     let uri = client.uri("main.awl");
     let far = json!({ "line": 4_000_000_000_u32, "character": 4_000_000_000_u32 });
-    for method in ["hover", "completion", "definition", "references", "signatureHelp", "documentHighlight", "prepareRename", "linkedEditingRange"] {
+    for method in
+        ["hover", "completion", "definition", "references", "signatureHelp", "documentHighlight", "prepareRename", "linkedEditingRange"]
+    {
         client.ask(&format!("textDocument/{method}"), json!({ "textDocument": { "uri": uri }, "position": far }));
     }
     std::fs::remove_file(client.folder.join("main.awl")).expect("it was there");
@@ -335,7 +363,23 @@ fn hostile_settings_are_a_diagnostic_of_theirs() {
 fn random_edits_leave_what_a_new_server_knows() {
     let mut client = plant("edits");
     client.diagnostics("main.awl", Some(1));
-    let pieces = ["\"", "#", "A I 0.0;\n", "NETWORK\n", ";", "ü", "😀", "\r\n", "\r", "END_ORGANIZATION_BLOCK", "M1: ", "(*", "//", "FUNCTION FC 1 : VOID\n", ""];
+    let pieces = [
+        "\"",
+        "#",
+        "A I 0.0;\n",
+        "NETWORK\n",
+        ";",
+        "ü",
+        "😀",
+        "\r\n",
+        "\r",
+        "END_ORGANIZATION_BLOCK",
+        "M1: ",
+        "(*",
+        "//",
+        "FUNCTION FC 1 : VOID\n",
+        "",
+    ];
     let mut state = 7_u64;
     let mut random = |bound: u64| {
         state ^= state << 13;
@@ -347,7 +391,8 @@ fn random_edits_leave_what_a_new_server_knows() {
     for round in 0..300 {
         let (line, character) = (random(24), random(20));
         let (more, further) = (random(2), random(6));
-        let range = json!({ "start": { "line": line, "character": character }, "end": { "line": line + more, "character": character + further } });
+        let range =
+            json!({ "start": { "line": line, "character": character }, "end": { "line": line + more, "character": character + further } });
         let text = pieces[usize::try_from(random(pieces.len() as u64)).unwrap_or(0)];
         version += 1;
         let change = if round % 97 == 96 { json!([{ "text": MAIN }]) } else { json!([{ "range": range, "text": text }]) };

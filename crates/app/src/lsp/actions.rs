@@ -33,9 +33,9 @@ pub(super) fn actions(server: &mut Server, uri: &str, range: Range, only: &[Stri
     let (_, document) = server.document(uri)?;
     let (start, end) = (server.byte(document, range.start), server.byte(document, range.end));
     let edit = |fixes: &[&Fix]| {
-        let edits = fixes.iter().map(|fix| {
-            json!({ "range": server.range(document, fix.span.start as usize, fix.span.end as usize), "newText": fix.replacement })
-        });
+        let edits = fixes.iter().map(
+            |fix| json!({ "range": server.range(document, fix.span.start as usize, fix.span.end as usize), "newText": fix.replacement }),
+        );
         workspace_edit(server, std::iter::once((document.uri.clone(), Some(document.version), edits.collect())))
     };
     let mut shown = Vec::new();

@@ -294,7 +294,8 @@ impl Folders {
         let is_it = |name: &str| uri::known(Path::new(name)) == path;
         let has_it = |program: &&mut Program| {
             let project = program.project();
-            project.texts.documents.iter().any(|(_, document)| is_it(&document.name)) || project.tests.iter().any(|test| uri::known(test) == path)
+            project.texts.documents.iter().any(|(_, document)| is_it(&document.name))
+                || project.tests.iter().any(|test| uri::known(test) == path)
         };
         self.roots.iter_mut().flat_map(|root| &mut root.programs).find(has_it).map(|program| program.snapshot(documents))
     }

@@ -123,9 +123,10 @@ pub(super) fn workspace_edit(server: &Server, all: impl Iterator<Item = (String,
 pub(super) fn hover(server: &mut Server, uri: &str, position: Position) -> Answer {
     let Some(asked) = Asked::of(server, uri)? else { return Ok(Value::Null) };
     let hover = editing::hover::hover(&asked.snapshot, asked.position(position));
-    Ok(hover.map_or(Value::Null, |hover| {
-        json!({ "contents": { "kind": "markdown", "value": hover.markdown }, "range": asked.range(hover.range) })
-    }))
+    Ok(hover.map_or(
+        Value::Null,
+        |hover| json!({ "contents": { "kind": "markdown", "value": hover.markdown }, "range": asked.range(hover.range) }),
+    ))
 }
 
 fn kind(kind: Kind) -> u32 {

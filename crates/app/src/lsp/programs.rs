@@ -6,8 +6,8 @@ use std::rc::Rc;
 use std::sync::Arc;
 
 use sieben_ide::editing::{Role, Snapshot, Text};
-use sieben_lang::{LostResults, encoding};
 use sieben_lang::language::role;
+use sieben_lang::{LostResults, encoding};
 use sieben_model::source::FileId;
 use sieben_workspace::finding::{self, Finding, Texts};
 use sieben_workspace::project::open::{Dialects, Open};
@@ -44,7 +44,18 @@ impl Program {
     pub(super) fn new(name: String, project: Project, overrides: Overrides, syntax_only: bool) -> Self {
         let files = project.sources.iter().filter(|source| !source.embedded).map(|source| (uri::known(&source.path), source.id)).collect();
         let roles = project.home.is_none().then(BTreeMap::new);
-        Self { name, open: Open::new(project, overrides, syntax_only), files, findings: None, build: None, snapshot: None, tests: BTreeMap::new(), is_new: true, roles, overrides }
+        Self {
+            name,
+            open: Open::new(project, overrides, syntax_only),
+            files,
+            findings: None,
+            build: None,
+            snapshot: None,
+            tests: BTreeMap::new(),
+            is_new: true,
+            roles,
+            overrides,
+        }
     }
 
     /// Its texts and settings.

@@ -238,7 +238,8 @@ fn edits(old: &str, new: &str) -> Vec<(usize, usize, String)> {
 pub(super) fn lenses(server: &mut Server, uri: &str) -> Answer {
     let given = uri.to_owned();
     with(server, uri, |server, document, text| {
-        let tests: Vec<Row> = text.outline().into_iter().filter(|row| row.kind == Kind::Test && !row.name.eq("SETUP") && !row.name.eq("TEARDOWN")).collect();
+        let tests: Vec<Row> =
+            text.outline().into_iter().filter(|row| row.kind == Kind::Test && !row.name.eq("SETUP") && !row.name.eq("TEARDOWN")).collect();
         let lens = |row: &Row| {
             let command = json!({ "title": "Run", "command": "sieben.runTest", "arguments": [given, row.name] });
             json!({ "range": server.range(document, row.named.0, row.named.1), "command": command })
@@ -262,7 +263,9 @@ mod tests {
 
     #[test]
     fn edits_make_one_text_of_the_other() {
-        for (old, new) in [("", "a\n"), ("a\n", ""), ("a\nb\nc\n", "a\nB\nc\n"), ("a\nb\nc", "a\nc"), ("a\nc\n", "a\nb\nb\nc\n"), ("a\na\n", "a\n")] {
+        for (old, new) in
+            [("", "a\n"), ("a\n", ""), ("a\nb\nc\n", "a\nB\nc\n"), ("a\nb\nc", "a\nc"), ("a\nc\n", "a\nb\nb\nc\n"), ("a\na\n", "a\n")]
+        {
             let mut made = old.to_owned();
             for (start, end, text) in edits(old, new).into_iter().rev() {
                 made.replace_range(start..end, &text);

@@ -49,7 +49,8 @@ pub(super) fn answer(server: &mut Server, id: &RequestId, method: &str, params: 
         "textDocument/documentSymbol" => reading::outline(server, &given.uri()?),
         "textDocument/foldingRange" => reading::folds(server, &given.uri()?),
         "textDocument/selectionRange" => {
-            let positions: Vec<Position> = given.list("/positions").into_iter().filter_map(|one| serde_json::from_value(one).ok()).collect();
+            let positions: Vec<Position> =
+                given.list("/positions").into_iter().filter_map(|one| serde_json::from_value(one).ok()).collect();
             reading::selections(server, &given.uri()?, &positions)
         }
         "textDocument/semanticTokens/full" => reading::tokens(server, &given.uri()?, None),

@@ -27,9 +27,12 @@ impl Client {
     pub fn start(name: &str, files: &[(&str, &str)], capabilities: &Value) -> Self {
         let mut client = Self::silent(name, files);
         let folder = client.uri("");
-        let answer = client.ask("initialize", json!({
-            "processId": null, "rootUri": folder.trim_end_matches('/'), "capabilities": capabilities,
-        }));
+        let answer = client.ask(
+            "initialize",
+            json!({
+                "processId": null, "rootUri": folder.trim_end_matches('/'), "capabilities": capabilities,
+            }),
+        );
         assert_eq!(answer["result"]["serverInfo"]["name"], "sieben", "{answer}");
         client.tell("initialized", json!({}));
         client
