@@ -177,10 +177,6 @@ pub(super) const SENTENCES: &[Row] = &[
         "Einen Editor über Standardein- und -ausgabe bedienen: was falsch ist, was ein Wort bedeutet, wo es benutzt wird",
     ),
     (
-        "Serve an editor: what is wrong, what a word means, where it is used",
-        "Einen Editor bedienen: was falsch ist, was ein Wort bedeutet, wo es benutzt wird",
-    ),
-    (
         "Speak over standard input and output, which is what it always does: some editors say so",
         "Über Standardein- und -ausgabe sprechen, was immer geschieht: manche Editoren geben es an",
     ),

@@ -175,11 +175,6 @@ impl Folders {
         }
     }
 
-    /// The folders, as the client spells them.
-    pub(super) fn paths(&self) -> impl Iterator<Item = &Path> {
-        self.roots.iter().map(|root| root.path.as_path())
-    }
-
     /// Whether a folder has to be read before questions can be answered.
     pub(super) fn has_unread(&self) -> bool {
         self.roots.iter().any(|root| root.stale)

@@ -12,19 +12,19 @@ use serde_json::{Value, json};
 const DEADLINE: Duration = Duration::from_secs(60);
 
 /// A client with its server and a folder of its own.
-pub struct Client {
-    pub folder: PathBuf,
+pub(crate) struct Client {
+    pub(crate) folder: PathBuf,
     child: Child,
     input: Option<ChildStdin>,
     incoming: Receiver<Value>,
     /// What was told and asked while an answer was waited for.
-    pub told: Vec<Value>,
+    pub(crate) told: Vec<Value>,
     number: i32,
 }
 
 impl Client {
     /// Starts a server in a new folder with these files; the client says that it can do this.
-    pub fn start(name: &str, files: &[(&str, &str)], capabilities: &Value) -> Self {
+    pub(crate) fn start(name: &str, files: &[(&str, &str)], capabilities: &Value) -> Self {
         let mut client = Self::silent(name, files);
         let folder = client.uri("");
         let answer = client.ask(
@@ -39,7 +39,7 @@ impl Client {
     }
 
     /// Starts a server that is not spoken to yet.
-    pub fn silent(name: &str, files: &[(&str, &str)]) -> Self {
+    pub(crate) fn silent(name: &str, files: &[(&str, &str)]) -> Self {
         let folder = std::env::temp_dir().join(format!("sieben-lsp-{name}-{}", std::process::id()));
         let _ = std::fs::remove_dir_all(&folder);
         std::fs::create_dir_all(&folder).expect("the folder can be made");
@@ -83,11 +83,11 @@ impl Client {
     }
 
     /// The URI of a file of the folder.
-    pub fn uri(&self, path: &str) -> String {
+    pub(crate) fn uri(&self, path: &str) -> String {
         format!("file://{}/{path}", self.folder.display())
     }
 
-    pub fn raw(&mut self, bytes: &[u8]) {
+    pub(crate) fn raw(&mut self, bytes: &[u8]) {
         let input = self.input.as_mut().expect("the input is open");
         input.write_all(bytes).and_then(|()| input.flush()).expect("the server reads");
     }
@@ -97,32 +97,32 @@ impl Client {
         self.raw(format!("Content-Length: {}\r\n\r\n{body}", body.len()).as_bytes());
     }
 
-    pub fn tell(&mut self, method: &str, params: Value) {
+    pub(crate) fn tell(&mut self, method: &str, params: Value) {
         self.send(&json!({ "jsonrpc": "2.0", "method": method, "params": params }));
     }
 
     /// Sends a request without waiting; its number.
-    pub fn begin(&mut self, method: &str, params: Value) -> i32 {
+    pub(crate) fn begin(&mut self, method: &str, params: Value) -> i32 {
         self.number += 1;
         self.send(&json!({ "jsonrpc": "2.0", "id": self.number, "method": method, "params": params }));
         self.number
     }
 
     /// Asks and waits for the whole answer.
-    pub fn ask(&mut self, method: &str, params: Value) -> Value {
+    pub(crate) fn ask(&mut self, method: &str, params: Value) -> Value {
         let id = self.begin(method, params);
         self.wait(&format!("the answer to {method}"), |message| message["id"] == id && message.get("method").is_none())
     }
 
     /// The result of a request that is not refused.
-    pub fn result(&mut self, method: &str, params: Value) -> Value {
+    pub(crate) fn result(&mut self, method: &str, params: Value) -> Value {
         let answer = self.ask(method, params);
         assert!(answer.get("error").is_none(), "{method}: {answer}");
         answer["result"].clone()
     }
 
     /// Waits for a message; the others are kept.
-    pub fn wait(&mut self, what: &str, is_it: impl Fn(&Value) -> bool) -> Value {
+    pub(crate) fn wait(&mut self, what: &str, is_it: impl Fn(&Value) -> bool) -> Value {
         loop {
             let message = self.incoming.recv_timeout(DEADLINE).unwrap_or_else(|_| panic!("{what} did not come; {:?}", self.told));
             if is_it(&message) {
@@ -133,20 +133,20 @@ impl Client {
     }
 
     /// Opens a text.
-    pub fn open(&mut self, path: &str, text: &str) {
+    pub(crate) fn open(&mut self, path: &str, text: &str) {
         let uri = self.uri(path);
         let language = path.rsplit('.').next().unwrap_or_default().to_owned();
         self.tell("textDocument/didOpen", json!({ "textDocument": { "uri": uri, "languageId": language, "version": 1, "text": text } }));
     }
 
     /// Gives an open text another one.
-    pub fn change(&mut self, path: &str, version: i32, changes: &Value) {
+    pub(crate) fn change(&mut self, path: &str, version: i32, changes: &Value) {
         let uri = self.uri(path);
         self.tell("textDocument/didChange", json!({ "textDocument": { "uri": uri, "version": version }, "contentChanges": changes }));
     }
 
     /// What is said to be wrong with a text of this version.
-    pub fn diagnostics(&mut self, path: &str, version: Option<i32>) -> Vec<Value> {
+    pub(crate) fn diagnostics(&mut self, path: &str, version: Option<i32>) -> Vec<Value> {
         let uri = self.uri(path);
         let is_it = |message: &Value| {
             let params = &message["params"];
@@ -160,20 +160,20 @@ impl Client {
     }
 
     /// Asks about a place: `|` in the text.
-    pub fn at(&mut self, method: &str, path: &str, marked: &str) -> Value {
+    pub(crate) fn at(&mut self, method: &str, path: &str, marked: &str) -> Value {
         let position = position(marked);
         let uri = self.uri(path);
         self.ask(method, json!({ "textDocument": { "uri": uri }, "position": position, "context": { "includeDeclaration": true } }))
     }
 
     /// Ends the input; the exit code.
-    pub fn end(&mut self) -> Option<i32> {
+    pub(crate) fn end(&mut self) -> Option<i32> {
         self.input = None;
         self.child.wait().ok().and_then(|status| status.code())
     }
 
     /// Ends in order; the exit code.
-    pub fn shut_down(&mut self) -> Option<i32> {
+    pub(crate) fn shut_down(&mut self) -> Option<i32> {
         assert_eq!(self.result("shutdown", Value::Null), Value::Null);
         self.tell("exit", Value::Null);
         self.child.wait().ok().and_then(|status| status.code())
@@ -189,7 +189,7 @@ impl Drop for Client {
 }
 
 /// The position of `|` in a text, in UTF-16.
-pub fn position(marked: &str) -> Value {
+pub(crate) fn position(marked: &str) -> Value {
     let before = marked.split('|').next().unwrap_or_default();
     let line = before.matches('\n').count();
     let character = before.rsplit('\n').next().unwrap_or_default().encode_utf16().count();
@@ -197,7 +197,7 @@ pub fn position(marked: &str) -> Value {
 }
 
 /// The text of a range of a text whose columns are ASCII.
-pub fn slice(text: &str, range: &Value) -> String {
+pub(crate) fn slice(text: &str, range: &Value) -> String {
     let byte = |position: &Value| {
         let line = position["line"].as_u64().unwrap_or(0) as usize;
         let start: usize = text.split_inclusive('\n').take(line).map(str::len).sum();
@@ -207,12 +207,12 @@ pub fn slice(text: &str, range: &Value) -> String {
 }
 
 /// The codes of diagnostics.
-pub fn codes(diagnostics: &[Value]) -> Vec<String> {
+pub(crate) fn codes(diagnostics: &[Value]) -> Vec<String> {
     diagnostics.iter().map(|one| one["code"].as_str().unwrap_or_default().to_owned()).collect()
 }
 
 /// What `sieben check` says about a folder, by the ends of the paths, codes and lines.
-pub fn checked(folder: &Path) -> Vec<(String, String, u64)> {
+pub(crate) fn checked(folder: &Path) -> Vec<(String, String, u64)> {
     let output = Command::new(env!("CARGO_BIN_EXE_sieben")).args(["check", "--json"]).arg(folder).output().expect("it runs");
     let json: Value = serde_json::from_slice(&output.stdout).expect("JSON");
     let list = json.as_array().or_else(|| json["diagnostics"].as_array()).cloned().unwrap_or_default();
