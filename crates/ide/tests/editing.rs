@@ -3,6 +3,8 @@
 //! A case is `=== title`, its texts, each after `[name]`, and questions `--- service` with their answers. The mark is `‸`; in answers a place
 //! is `name:line:column`. `SIEBEN_GENERATE=1` writes the answers as they are.
 
+#![allow(clippy::disallowed_methods)] // The cases and sources lie in folders; `SIEBEN_GENERATE` writes the answers.
+
 #[path = "editing/services.rs"]
 mod services;
 

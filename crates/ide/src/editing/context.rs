@@ -104,8 +104,7 @@ pub(super) fn typed(text: &str, offset: usize, language: Language) -> Typed {
             }
         }
     };
-    let (path, path_start) = path_before(line, start);
-    let _ = path_start;
+    let (path, _) = path_before(line, start);
     Typed { start: line_start + start, word, path }
 }
 

@@ -1,6 +1,6 @@
 //! What the names of all texts of a project stand for.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 use sieben_model::address::{Address, Area, Operand, Width};
@@ -434,6 +434,7 @@ impl Names {
             let symbols = rows.filter_map(|at| self.of_definition(*at)).filter(|symbol| *symbol != of);
             found.extend(symbols.flat_map(|symbol| self.named_uses(symbol, only)));
         }
+        let named: HashSet<(u32, u32)> = found.iter().map(|found| (found.text, found.occurrence)).collect();
         let memory = memory_of(operand);
         for (text, source) in self.texts_of(of, only) {
             for &occurrence in source.addresses() {
@@ -456,7 +457,7 @@ impl Names {
                     },
                     _ => None,
                 };
-                let is_there = || found.iter().any(|known| (known.text, known.occurrence) == (text, occurrence));
+                let is_there = || named.contains(&(text, occurrence));
                 if let Some(through) = through.filter(|&through| through == Through::Pointer || !is_there()) {
                     found.push(Found { text, occurrence, through });
                 }

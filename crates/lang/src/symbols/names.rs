@@ -69,9 +69,9 @@ pub fn rows(text: &str, format: Format) -> Vec<Row> {
         let (name, address) = (wanted(&symbol.name, name_column), wanted(&symbol.address, address_column));
         let padding = match (&name, format) {
             (Some(name), Format::Sdf | Format::Asc | Format::Dif) => {
-                let behind = text.get(name.end..whole.end).unwrap_or_default();
+                let after = text.get(name.end..whole.end).unwrap_or_default();
                 let most = NAME_MAX.saturating_sub(symbol.name.trim().chars().count());
-                behind.bytes().take(most).take_while(|&byte| byte == b' ').count()
+                after.bytes().take(most).take_while(|&byte| byte == b' ').count()
             }
             _ => 0,
         };

@@ -119,7 +119,8 @@ fn free_address(at: &At<'_>) -> Operand {
     let line = line_before(at.content(), at.range.start);
     let word = line.trim_start().rsplit(':').next().unwrap_or_default().split_whitespace().next().unwrap_or_default().to_ascii_uppercase();
     let width = if matches!(word.as_str(), "L" | "T") { Width::Word } else { Width::Bit };
-    let is_free = |byte: &u32| (*byte..*byte + width.bytes()).all(|byte| !used.contains(&byte)) && (width == Width::Bit || byte % 2 == 0);
+    let is_free =
+        |byte: &u32| (*byte..*byte + width.bytes()).all(|byte| !used.contains(&byte)) && (width == Width::Bit || byte.is_multiple_of(2));
     let byte = (0..BYTES_MAX).find(is_free).unwrap_or(0);
     Operand::Address(Address { area: Area::BitMemory, width, byte, bit: 0 })
 }

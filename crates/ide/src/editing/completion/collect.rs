@@ -176,7 +176,8 @@ impl<'s> Collector<'s> {
                     continue;
                 }
                 let Some(target) = names.of_definition(at) else { continue };
-                if !seen.insert(target) {
+                // A block of the project takes the place of one of the library with its number.
+                if !names.heads(target).contains(&at) || !seen.insert(target) {
                     continue;
                 }
                 let symbol = names.operand(target).and_then(|operand| names.symbol_of(operand));
