@@ -9,6 +9,7 @@ use super::server::Server;
 use super::uri::Place;
 use super::work::{Answer, refused};
 use super::{actions, executing, naming, reading};
+use crate::problem_pages;
 
 /// The code of an answer that another thread gives.
 pub(super) const LATER: i32 = i32::MIN;
@@ -89,7 +90,7 @@ pub(super) fn answer(server: &mut Server, id: &RequestId, method: &str, params: 
         }
         "workspace/textDocumentContent" => {
             let uri = given.text("/uri").or_else(|_| given.uri())?;
-            let page = uri.strip_prefix(super::diagnostics::PAGES).and_then(crate::commands::explain::problem_page);
+            let page = uri.strip_prefix(super::diagnostics::PAGES).and_then(problem_pages::page);
             let page = page.ok_or_else(|| refused(ErrorCode::InvalidParams, format!("there is no page `{uri}`")))?;
             Ok(json!({ "text": page }))
         }
