@@ -25,6 +25,7 @@ mod page;
 mod palette;
 mod panics;
 mod paths;
+mod problem_pages;
 mod programs;
 mod project;
 mod report;

@@ -16,8 +16,6 @@ use super::uri;
 /// What a client can do, as far as it matters.
 #[derive(Clone, Debug)]
 pub(super) struct Client {
-    /// What it is called, for messages.
-    pub(super) name: String,
     /// The process that started the server.
     pub(super) process: Option<u32>,
     /// The folders that it works in.
@@ -32,14 +30,10 @@ pub(super) struct Client {
     pub(super) progress: bool,
     /// It takes lists of links with the place that they come from.
     pub(super) links: bool,
-    /// It folds whole lines only.
-    pub(super) folds_lines: bool,
     /// It takes snippets.
     pub(super) snippets: bool,
     /// It takes edits with the versions of the texts.
     pub(super) versioned_edits: bool,
-    /// It asks again for hints when it is told to.
-    pub(super) refreshes_hints: bool,
     /// It shows actions that cannot be done, with the reason.
     pub(super) disabled_actions: bool,
     /// What it says about all programs.
@@ -54,8 +48,6 @@ pub(super) struct Settings {
     dialect: Option<Dialect>,
     strict: bool,
     extended: bool,
-    /// Values of a running controller are shown in the text.
-    pub(super) live: bool,
     /// What was not understood.
     pub(super) mistakes: Vec<String>,
 }
@@ -64,7 +56,7 @@ impl Settings {
     /// Of the options that a client sends, with or without a `sieben` around them.
     pub(super) fn of(options: &Value) -> Self {
         let options = options.get("sieben").unwrap_or(options);
-        let mut settings = Self { live: true, ..Self::default() };
+        let mut settings = Self::default();
         let text = |name: &str| options.get(name).and_then(Value::as_str).filter(|text| !text.is_empty());
         let flag = |name: &str| options.get(name).and_then(Value::as_bool);
         let mut mistakes = Vec::new();
@@ -89,7 +81,6 @@ impl Settings {
         }
         settings.strict = flag("strict").unwrap_or_default();
         settings.extended = flag("extended").unwrap_or_default();
-        settings.live = flag("liveValues").unwrap_or(true);
         settings.mistakes = mistakes;
         settings
     }
@@ -112,7 +103,6 @@ impl Client {
         let options = at("/initializationOptions").cloned().unwrap_or_default();
         let pages = Some(text("/initializationOptions/problemPages")).filter(|pages| !pages.is_empty());
         Self {
-            name: format!("{} {}", text("/clientInfo/name"), text("/clientInfo/version")).trim().to_owned(),
             process: at("/processId").and_then(Value::as_u64).and_then(|id| u32::try_from(id).ok()),
             folders: folders(parameters),
             telling: Telling {
@@ -124,10 +114,8 @@ impl Client {
             watches: can("workspace/didChangeWatchedFiles/dynamicRegistration"),
             progress: can("window/workDoneProgress"),
             links: can("textDocument/definition/linkSupport"),
-            folds_lines: can("textDocument/foldingRange/lineFoldingOnly"),
             snippets: can("textDocument/completion/completionItem/snippetSupport"),
             versioned_edits: can("workspace/workspaceEdit/documentChanges"),
-            refreshes_hints: can("workspace/inlayHint/refreshSupport"),
             disabled_actions: can("textDocument/codeAction/disabledSupport"),
             settings: Settings::of(&options),
         }
@@ -191,6 +179,20 @@ pub(super) fn capabilities(client: &Client) -> Value {
             "full": true, "range": true,
         },
         "codeLensProvider": {},
+        "hoverProvider": true,
+        "completionProvider": { "triggerCharacters": [".", "#", "\"", "(", ",", ":"] },
+        "signatureHelpProvider": { "triggerCharacters": ["(", ","], "retriggerCharacters": ["="] },
+        "definitionProvider": true,
+        "declarationProvider": true,
+        "typeDefinitionProvider": true,
+        "referencesProvider": true,
+        "documentHighlightProvider": true,
+        "renameProvider": { "prepareProvider": true },
+        "linkedEditingRangeProvider": true,
+        "inlayHintProvider": true,
+        "callHierarchyProvider": true,
+        "workspaceSymbolProvider": true,
+        "codeActionProvider": { "codeActionKinds": ["quickfix", "refactor.extract", "refactor.rewrite", "source.fixAll.sieben"] },
         "executeCommandProvider": { "commands": super::executing::ALL },
         "workspace": { "workspaceFolders": { "supported": true, "changeNotifications": true } },
     });

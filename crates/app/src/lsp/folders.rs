@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use sieben_ide::editing::Snapshot;
 use sieben_lang::encoding;
 use sieben_model::problems::Problem;
 use sieben_workspace::finding::several::Several;
@@ -174,11 +175,6 @@ impl Folders {
         }
     }
 
-    /// The folders, as the client spells them.
-    pub(super) fn paths(&self) -> impl Iterator<Item = &Path> {
-        self.roots.iter().map(|root| root.path.as_path())
-    }
-
     /// Whether a folder has to be read before questions can be answered.
     pub(super) fn has_unread(&self) -> bool {
         self.roots.iter().any(|root| root.stale)
@@ -251,7 +247,7 @@ impl Folders {
     }
 
     /// Everything that is wrong, by the texts that it is wrong in: a list for each folder and each text that belongs to none.
-    pub(super) fn found(&mut self) -> Vec<(Option<Place>, Vec<Finding>, Texts)> {
+    pub(super) fn found(&mut self, documents: &Documents) -> Vec<(Option<Place>, Vec<Finding>, Texts)> {
         let mut all: Vec<(Option<Place>, Vec<Finding>, Texts)> = Vec::new();
         for root in &mut self.roots {
             let (mut findings, texts) = root.found();
@@ -260,6 +256,8 @@ impl Folders {
                 findings.retain(|finding| finding.diagnostic.problem != Problem::P6005);
             }
             all.push((None, findings, texts));
+            let tests = root.programs.iter_mut().flat_map(|program| program.tests(documents));
+            all.extend(tests.map(|(findings, texts)| (None, findings, texts)));
         }
         for (place, program) in &mut self.alone {
             let findings = program.findings().to_vec();
@@ -282,9 +280,25 @@ impl Folders {
         Some((program, file))
     }
 
-    /// All programs.
-    pub(super) fn programs(&mut self) -> impl Iterator<Item = &mut Program> {
-        self.roots.iter_mut().flat_map(|root| &mut root.programs).chain(self.alone.values_mut())
+    /// The texts of the program that has a text: as a source, a symbol table or a test.
+    pub(super) fn snapshot_of(&mut self, place: &Place, documents: &Documents) -> Option<Snapshot> {
+        if let Some((program, _)) = self.program_of(place) {
+            return Some(program.snapshot(documents));
+        }
+        let path = place.path()?;
+        let is_it = |name: &str| uri::known(Path::new(name)) == path;
+        let has_it = |program: &&mut Program| {
+            let project = program.project();
+            project.texts.documents.iter().any(|(_, document)| is_it(&document.name))
+                || project.tests.iter().any(|test| uri::known(test) == path)
+        };
+        self.roots.iter_mut().flat_map(|root| &mut root.programs).find(has_it).map(|program| program.snapshot(documents))
+    }
+
+    /// The texts of all programs.
+    pub(super) fn snapshots(&mut self, documents: &Documents) -> Vec<Snapshot> {
+        let all = self.roots.iter_mut().flat_map(|root| &mut root.programs).chain(self.alone.values_mut());
+        all.map(|program| program.snapshot(documents)).collect()
     }
 }
 
@@ -310,7 +324,7 @@ fn home_of(folder: &Path) -> Option<PathBuf> {
 }
 
 /// Whether a file is looked at as a source where no program has it.
-fn is_source_alone(path: &Path, document: &Document) -> bool {
+pub(super) fn is_source_alone(path: &Path, document: &Document) -> bool {
     let is_known =
         matches!(document.language.as_str(), "awl" | "stl" | "scl" | "st" | "lad" | "fbd" | "s7db" | "s7udt" | "structured-text");
     let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase()).unwrap_or_default();
@@ -319,7 +333,7 @@ fn is_source_alone(path: &Path, document: &Document) -> bool {
 }
 
 /// The name that a text has as a program by itself: its ending tells the language.
-fn name_alone(place: &Place, document: &Document) -> PathBuf {
+pub(super) fn name_alone(place: &Place, document: &Document) -> PathBuf {
     match place {
         Place::File(path) => path.clone(),
         Place::Untitled(_) | Place::Other(_) => {

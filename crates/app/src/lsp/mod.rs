@@ -4,15 +4,18 @@
 //! known: `documents` (open texts), `folders` (what is on the disk, with open texts in its place) and `programs` (each with its database).
 //! Types of the protocol end in this room; `ide` and `workspace` know none of them.
 
+mod actions;
 mod client;
 mod diagnostics;
 mod documents;
 mod executing;
 mod folders;
+mod naming;
 mod notifications;
 mod parent;
 mod positions;
 mod programs;
+mod reading;
 mod requests;
 mod server;
 mod transport;

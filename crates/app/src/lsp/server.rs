@@ -1,6 +1,5 @@
 //! The server: one thread has all that is known, takes messages in their order, and answers each from the texts as they are then.
 
-use std::collections::BTreeMap;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender};
 use std::time::{Duration, Instant};
 
@@ -56,15 +55,6 @@ pub(super) struct Server {
     changed: Vec<Place>,
     /// The number of the last request to the client.
     asked: i32,
-    /// The answers to those that matter.
-    pub(super) waiting: BTreeMap<i32, Waiting>,
-}
-
-/// What an answer of the client is for.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Waiting {
-    /// An edit that it was asked to make.
-    Edit,
 }
 
 impl Server {
@@ -84,7 +74,6 @@ impl Server {
             took: Duration::ZERO,
             changed: Vec::new(),
             asked: 0,
-            waiting: BTreeMap::new(),
         }
     }
 
@@ -124,7 +113,8 @@ impl Server {
         match message {
             Message::Request(request) => self.request(request),
             Message::Notification(notification) => self.notification(notification),
-            Message::Response(response) => self.response(response),
+            // Nothing that the client is asked for has an answer that matters.
+            Message::Response(_) => {}
         }
     }
 
@@ -173,16 +163,6 @@ impl Server {
                 true => self.mistaken(&error.message),
                 false => self.log(2, &error.message),
             }
-        }
-    }
-
-    fn response(&mut self, response: Response) {
-        let number = response.id.to_string().parse().ok().and_then(|id: i32| self.waiting.remove(&id));
-        if let (Some(Waiting::Edit), Ok(answer)) = (number, response.response_result)
-            && answer.get("applied").and_then(Value::as_bool) == Some(false)
-        {
-            let why = answer.get("failureReason").and_then(Value::as_str).unwrap_or("the editor does not say why");
-            self.log(2, &format!("an edit was not made: {why}"));
         }
     }
 
@@ -316,7 +296,7 @@ impl Server {
     pub(super) fn found(&mut self) -> (Told, Vec<String>) {
         self.renew();
         let mut collecting = Collecting::new(&self.client.telling, &self.documents);
-        for (alone, findings, texts) in self.folders.found() {
+        for (alone, findings, texts) in self.folders.found(&self.documents) {
             collecting.add(alone.as_ref(), &findings, &texts);
         }
         collecting.finish()

@@ -13,6 +13,7 @@ mod keywords;
 mod lexer;
 mod literals;
 pub mod lower;
+pub(crate) mod names;
 pub mod objects;
 mod open_arrays;
 pub mod parser;

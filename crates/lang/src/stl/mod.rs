@@ -16,6 +16,7 @@ mod look_alikes;
 pub mod lower;
 pub mod meaning;
 pub mod mnemonics;
+pub(crate) mod names;
 pub mod operands;
 pub mod parser;
 pub(crate) mod reason;

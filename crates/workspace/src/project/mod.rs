@@ -4,6 +4,7 @@ mod awlsim;
 mod build;
 pub mod open;
 pub mod symbol_table;
+mod test_files;
 #[cfg(test)]
 mod tests;
 

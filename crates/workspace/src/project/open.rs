@@ -1,7 +1,7 @@
 //! A project that stays open: its sources get other texts, and what is said about it is renewed.
 
 use sieben_lang::encoding::{self, Encoding};
-use sieben_lang::{Compiled, Database, dialects};
+use sieben_lang::{Compiled, Database, Options, dialects};
 use sieben_model::diagnostic::Diagnostic;
 use sieben_model::source::FileId;
 
@@ -42,9 +42,9 @@ impl Open {
         &self.project
     }
 
-    /// What its front end knows.
-    pub fn database(&mut self) -> &mut Database {
-        &mut self.database
+    /// How it is compiled.
+    pub fn options(&self) -> &Options {
+        &self.order.options
     }
 
     /// Gives a source another text. Without an answer the project has to be read again: it became another kind of file.
