@@ -8,10 +8,11 @@ const LANGUAGES = ['awl', 'lad', 'fbd', 'st', 'scl'];
 /** So long the cursor rests before the network is drawn. */
 const REST_MS = 150;
 
-/** What the server draws; null where there is no network. */
+/** What the server draws. */
 interface Drawing {
   readonly svg: string;
-  readonly title?: string;
+  readonly block: string;
+  readonly network: number;
 }
 
 /** The panel; there is one at most. */
@@ -67,15 +68,13 @@ export class DiagramPanel implements vscode.Disposable {
     const editor = this.editor;
     if (editor === undefined) return;
     const question = ++this.asked;
-    const drawing = await this.server.execute<Drawing | string | null>('sieben.showDiagram', {
-      textDocument: { uri: this.server.uriOf(editor.document) },
-      position: { line: editor.selection.active.line, character: editor.selection.active.character },
-    });
+    const { line, character } = editor.selection.active;
+    const form = editor.document.languageId === 'fbd' ? 'fbd' : 'lad';
+    const drawing = await this.server.execute<Drawing>('sieben.showDiagram', this.server.uriOf(editor.document), { line, character }, form);
     // An older answer must not take the place of a newer one.
     if (question !== this.asked) return;
-    const svg = typeof drawing === 'string' ? drawing : drawing?.svg;
-    if (svg === undefined || svg === '') this.shown = { svg: '', title: 'There is no network at the cursor that can be drawn.' };
-    else this.shown = { svg, title: (typeof drawing === 'object' ? drawing?.title : undefined) ?? titleOf(svg) };
+    if (drawing === undefined) this.shown = { svg: '', title: 'There is no network at the cursor that can be drawn.' };
+    else this.shown = { svg: drawing.svg, title: `${drawing.block}, network ${drawing.network}` };
     this.show();
   }
 
@@ -84,11 +83,4 @@ export class DiagramPanel implements vscode.Disposable {
     this.panel.title = this.shown.svg === '' ? 'Diagram' : `Diagram: ${this.shown.title}`;
     this.panel.webview.html = html(this.shown.svg, this.shown.title, isDark());
   }
-}
-
-/** What a picture calls itself. */
-function titleOf(svg: string): string {
-  const label = /aria-label="([^"]*)"/u.exec(svg)?.[1] ?? 'network';
-  const signs: Record<string, string> = { '&quot;': '"', '&apos;': "'", '&#39;': "'", '&lt;': '<', '&gt;': '>', '&amp;': '&' };
-  return label.replace(/&(?:quot|apos|#39|lt|gt|amp);/gu, (sign) => signs[sign] ?? sign);
 }

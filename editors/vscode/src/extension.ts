@@ -46,10 +46,8 @@ export async function deactivate(): Promise<void> {
   await server?.stop();
 }
 
-/** Runs the test that a lens of the server names. */
+/** Runs the test that a lens of the server names by its file and name. */
 async function runTest(tests: Tests, parameters: readonly unknown[]): Promise<void> {
-  const named = parameters[0] as { uri?: string; textDocument?: { uri?: string }; line?: number; position?: { line?: number } } | string | undefined;
-  const uri = typeof named === 'string' ? named : (named?.textDocument?.uri ?? named?.uri);
-  const line = typeof named === 'string' ? Number(parameters[1] ?? 0) : (named?.position?.line ?? named?.line ?? 0);
-  if (uri !== undefined) await tests.runAt(vscode.Uri.parse(uri), line);
+  const [uri, name] = parameters;
+  if (typeof uri === 'string') await tests.runNamed(vscode.Uri.parse(uri), typeof name === 'string' ? name : undefined);
 }

@@ -250,14 +250,12 @@ export class Tests implements vscode.Disposable {
     panel.webview.html = html(svg, title, isDark(), 'fitting');
   }
 
-  /** Runs the test at a line of a file: what a lens of the server does. */
-  async runAt(uri: vscode.Uri, line: number): Promise<void> {
+  /** Runs a test of a file by its name, or all of the file: what a lens of the server does. */
+  async runNamed(uri: vscode.Uri, name: string | undefined): Promise<void> {
     await this.look();
-    const all = [...this.controller.items].flatMap(([, item]) => this.leaves(item)).filter((item) => item.uri?.toString() === uri.toString());
-    const test = all.filter((item) => (item.range?.start.line ?? 0) <= line).at(-1);
-    if (test === undefined) return;
-    const token = new vscode.CancellationTokenSource();
-    await this.run(new vscode.TestRunRequest([test]), token.token);
+    const of = [...this.controller.items].flatMap(([, item]) => this.leaves(item)).filter((item) => item.uri?.toString() === uri.toString());
+    const chosen = of.filter((item) => name === undefined || item.label === name);
+    if (chosen.length > 0) await this.run(new vscode.TestRunRequest(chosen), new vscode.CancellationTokenSource().token);
   }
 }
 

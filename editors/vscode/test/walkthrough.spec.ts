@@ -79,11 +79,10 @@ test('rename: a symbol is renamed in the symbol table and the tests', async () =
 });
 
 test('diagram: the network at the cursor is drawn', async () => {
-  const drawing = await client.ask<string | { svg: string }>('workspace/executeCommand', {
+  const { svg } = await client.ask<{ svg: string }>('workspace/executeCommand', {
     command: 'sieben.showDiagram',
-    arguments: [{ textDocument: { uri: client.uri('dosing.awl') }, position: { line: 7, character: 6 } }],
+    arguments: [client.uri('dosing.awl'), { line: 7, character: 6 }],
   });
-  const svg = typeof drawing === 'string' ? drawing : drawing.svg;
   expect(svg).toMatch(/^<svg /u);
   expect(svg).toContain('I 0.0');
   expect(svg).not.toContain('<script');
