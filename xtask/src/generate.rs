@@ -16,6 +16,7 @@ use sieben_sim::devices::{Direction, Kind, Operated};
 
 use crate::compatibility;
 use crate::functions;
+use crate::grammars;
 use crate::limits;
 use crate::signal_diagrams;
 use crate::tidy::pages::{self, DECISION_LIST, PROBLEM_LIST, PROBLEM_PAGES};
@@ -60,6 +61,7 @@ pub fn pages(files: &[TextFile]) -> Vec<TextFile> {
     }
     pages.extend(functions::pages(files));
     pages.push(limits::page(files));
+    pages.extend(grammars::pages());
     pages
 }
 

@@ -4,18 +4,22 @@
 
 use std::process::ExitCode;
 
-use xtask::{aarch64, clients, fuzz, generate, soak, test, tidy, web};
+use xtask::{aarch64, clients, fuzz, generate, soak, test, tidy, vscode, web};
 
 const USAGE: &str = "usage: cargo xtask TASK
 
   test [ARGUMENTS]      build everything and run all tests (arguments go to the test runner)
-  test --all            the same, after `clients`; then the tests of the page in Chromium
+  test --all            the same, after `clients`; then the tests of the page and of the
+                        extension for VS Code in Chromium
   clients               install other people's S7 clients below target/clients/, for the tests
   web                   build the page of the workbench into crates/workbench/dist
   web --check           whether crates/workbench/dist is what its sources build
   web --test [ARGUMENTS]
                         the tests of the page alone (arguments go to Playwright)
   web --bench           measure the page: first paint, size, work for an update
+  vsix [--bundle FILE]  build the extension for VS Code into target/, with this binary of Sieben in it
+  vsix --test [ARGUMENTS]
+                        the tests of the extension alone (arguments go to Playwright)
   screenshots           take the pictures of docs/reference/workbench/ again
   tidy                  check the house rules: arrows, pages, links, words
   generate              write the generated pages again
@@ -46,6 +50,7 @@ fn main() -> ExitCode {
         "clients" => clients::run(),
         "web" => web::run(rest),
         "screenshots" => web::screenshots(rest),
+        "vsix" => vscode::run(rest),
         "tidy" => tidy::run(),
         "generate" => generate::run(),
         "fuzz" => fuzz::run(rest),

@@ -3,10 +3,10 @@
 use std::fs;
 use std::process::Command;
 
-use crate::{clients, programs, web};
+use crate::{clients, programs, vscode, web};
 
 /// Runs the tests with nextest where it is installed, else with `cargo test`. With `--all` what they can use of other people's programs is installed
-/// first. The page is tested after the rest. Says at the end what was skipped.
+/// first. The page and the extension for VS Code are tested after the rest. Says at the end what was skipped.
 pub fn run(arguments: &[String]) -> Result<(), String> {
     let (all, arguments): (Vec<_>, Vec<_>) = arguments.iter().cloned().partition(|argument| argument == "--all");
     if !all.is_empty() {
@@ -18,7 +18,8 @@ pub fn run(arguments: &[String]) -> Result<(), String> {
     // A choice of tests is one of the Rust tests.
     if !all.is_empty() && arguments.is_empty() {
         let of_page = web::tests(&[]);
-        outcome = outcome.and(of_page);
+        let of_extension = vscode::tests(&[]);
+        outcome = outcome.and(of_page).and(of_extension);
     }
     for line in lines_of_skipped() {
         println!("{line}");

@@ -1,5 +1,7 @@
 //! Reading and writing files, with the limits and messages that a user deserves.
 
+use std::cell::RefCell;
+use std::collections::BTreeMap;
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Read, Write};
 use std::path::{Path, PathBuf};
@@ -22,8 +24,47 @@ pub(crate) fn outlive_limits() {
 /// Largest file that is read: the limit of the sources holds for every file, before it is read.
 const FILE_SIZE_MAX: u64 = MAX_SOURCE_BYTES as u64;
 
-/// The bytes of a file; refuses what is missing, no file, unreadable or too large, without reading it.
+/// Texts that an editor has open, by the path of their file with links resolved.
+pub(crate) type OpenTexts = BTreeMap<PathBuf, Arc<str>>;
+
+thread_local! {
+    /// The texts that this thread reads in the place of files: see [`with_open`].
+    static OPEN: RefCell<OpenTexts> = const { RefCell::new(OpenTexts::new()) };
+}
+
+/// Does work that reads files, and finds these texts in the place of theirs.
+pub(crate) fn with_open<T>(texts: OpenTexts, work: impl FnOnce() -> T) -> T {
+    /// Takes the texts away when the work ends, however that is.
+    struct Ends;
+    impl Drop for Ends {
+        fn drop(&mut self) {
+            OPEN.take();
+        }
+    }
+    OPEN.set(texts);
+    let _ends = Ends;
+    work()
+}
+
+/// The open text of a file.
+fn open_text(path: &Path) -> Option<Arc<str>> {
+    OPEN.with_borrow(|open| match open.is_empty() {
+        true => None,
+        false => open.get(path).or_else(|| open.get(&fs::canonicalize(path).ok()?)).cloned(),
+    })
+}
+
+/// The bytes of a file, or those of the text that is open in its place; refuses what is missing, no file, unreadable or too large,
+/// without reading it.
 pub(crate) fn read(path: &Path) -> Result<Vec<u8>, Failure> {
+    match open_text(path) {
+        Some(text) => Ok(text.as_bytes().to_vec()),
+        None => read_saved(path),
+    }
+}
+
+/// The bytes of a file as it lies on the disk.
+pub(crate) fn read_saved(path: &Path) -> Result<Vec<u8>, Failure> {
     let shown = path.display();
     let metadata = fs::metadata(path).map_err(|error| unreadable(path, &error))?;
     if metadata.is_dir() {
@@ -43,6 +84,16 @@ pub(crate) fn read(path: &Path) -> Result<Vec<u8>, Failure> {
 
 fn too_large(path: &Path) -> Failure {
     Failure::usage(Problem::P1104, format!("`{}` is larger than {} MiB", path.display(), FILE_SIZE_MAX >> 20))
+}
+
+/// The open texts in a folder that have no file.
+pub(crate) fn open_without_file(folder: &Path) -> Vec<PathBuf> {
+    OPEN.with_borrow(|open| {
+        let Some(folder) = (!open.is_empty()).then(|| fs::canonicalize(folder).ok()).flatten() else { return Vec::new() };
+        let is_hidden = |path: &Path| path.iter().any(|part| part.to_string_lossy().starts_with('.'));
+        let here = open.keys().filter_map(|path| path.strip_prefix(&folder).ok().filter(|inner| !is_hidden(inner) && !path.exists()));
+        here.map(Path::to_path_buf).collect()
+    })
 }
 
 /// Opens a file of any size to be read in pieces.

@@ -19,11 +19,13 @@ mod help;
 mod instances;
 mod language;
 mod linking;
+mod lsp;
 mod output;
 mod page;
 mod palette;
 mod panics;
 mod paths;
+mod problem_pages;
 mod programs;
 mod project;
 mod report;
@@ -129,6 +131,8 @@ enum Verb {
     Assignments(commands::assignments::Arguments),
     /// Make a project that runs and checks at once
     New(commands::new::Arguments),
+    /// Serve an editor over standard input and output: what is wrong, what a word means, where it is used
+    Lsp(commands::lsp::Arguments),
     /// Print the completions for a shell
     #[command(hide = true)]
     Completions(commands::completions::Arguments),
@@ -176,6 +180,7 @@ fn run(mut line: CommandLine) -> Exit {
         Some(Verb::Structure(arguments)) => commands::structure::run(&arguments),
         Some(Verb::Assignments(arguments)) => commands::assignments::run(&arguments),
         Some(Verb::New(arguments)) => commands::new::run(&arguments),
+        Some(Verb::Lsp(arguments)) => commands::lsp::run(&arguments),
         Some(Verb::Completions(arguments)) => commands::completions::run(&arguments, &mut CommandLine::command()),
     };
     result.unwrap_or_else(|failure: Failure| {

@@ -8,6 +8,7 @@ use sieben_lang::language::role::is_test_name;
 use sieben_model::problems::Problem;
 
 use crate::failure::Failure;
+use crate::files;
 
 /// The settings of a project.
 const PROJECT_ENDING: &str = "toml";
@@ -115,6 +116,11 @@ impl<'a> Listing<'a> {
     pub(crate) fn of(root: &'a Path) -> Result<Self, Failure> {
         let mut listing = Self { files: Vec::new(), links_outside: Vec::new(), root };
         listing.walk(root, 0)?;
+        let open = files::open_without_file(root);
+        if !open.is_empty() {
+            listing.files.extend(open);
+            listing.files.sort();
+        }
         Ok(listing)
     }
 

@@ -245,6 +245,8 @@ fn a_failing_test_shows_line_values_types_and_message() {
     let of = |key: &str| test[key].as_str().unwrap_or_default().to_owned();
     let seen = ["name", "test_file", "verdict", "file", "left", "left_type", "right", "right_type", "said"].map(of);
     assert_eq!(seen, ["motor.test.st: doubles", "motor.test.st", "failed", "motor.test.st", "42", "INT", "0", "INT", "not yet"]);
+    let listed = folder.run(&["test", "--list", "--json"]).code(0).json();
+    assert_eq!(listed["places"], serde_json::json!([{ "name": "motor.test.st: doubles", "test_file": "motor.test.st", "line": 1 }]));
 }
 
 #[test]

@@ -755,6 +755,8 @@ problems! {
         "eine Variablentabelle, die nicht gelesen werden kann" "Die Zeile berichtigen: Die erste ist `name,format,comment`, jede weitere hat bis zu drei solche Felder; `docs/reference/watch-tables.md` beschreibt sie.";
     P7147 Error "a watch table that the project does not have" "`GET /api/v1/watch` names those that it has: files that end in `.watch` in the folder of the project."
         "eine Variablentabelle, die das Projekt nicht hat" "`GET /api/v1/watch` nennt die vorhandenen: Dateien mit der Endung `.watch` im Projektordner.";
+    P7155 Error "a language server that cannot start" "Close programs that need many threads, and start it again."
+        "ein Sprachserver, der nicht starten kann" "Programme schließen, die viele Threads brauchen, und ihn erneut starten.";
 
     // 8xxx run time
     P8001 Error "the CPU went to STOP" "Read the diagnostic buffer: it names the block and the statement."

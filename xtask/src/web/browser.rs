@@ -4,7 +4,8 @@ use std::path::PathBuf;
 use std::process::Command;
 use std::time::Duration;
 
-use super::tools;
+use super::sources;
+use crate::node;
 use crate::programs::{self, Build};
 
 /// Runs the tests of the page (Playwright, Chromium, the real binary); further arguments go to Playwright.
@@ -35,8 +36,8 @@ pub fn soak(binary: Option<PathBuf>, time: Duration) -> Result<(), String> {
 
 /// Installs what is missing, and finds Chromium.
 fn ready() -> Result<String, String> {
-    tools::packages()?;
-    tools::chromium()
+    node::packages(&sources())?;
+    node::chromium()
 }
 
 /// The binary that `SIEBEN` names.
@@ -54,7 +55,7 @@ fn playwright(
 ) -> Result<(), String> {
     let binary = programs::sieben(binary, build)?;
     let config = if build == Build::Release { "bench/playwright.config.ts" } else { "playwright.config.ts" };
-    let mut command: Command = tools::package_command("playwright");
+    let mut command: Command = node::package_command(&sources(), "playwright");
     command.args(["test", "--config", config]).args(arguments).env("SIEBEN", binary).env("CHROMIUM", chromium);
     command.envs(environment.iter().map(|(name, value)| (name, value.as_str())));
     let status = command.status().map_err(|error| format!("cannot start npx: {error}"))?;

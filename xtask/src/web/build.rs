@@ -5,8 +5,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use super::{built, sources, tools};
-use crate::{programs, workspace};
+use super::{built, sources};
+use crate::{node, programs, workspace};
 
 /// What a page needs for its first view, packed: more is not there within 300 ms on a slow line.
 const FIRST_BYTES_MAX: u64 = 60_000;
@@ -21,8 +21,14 @@ const UNPACKED_DIFFER: &str = "const fs = require('fs'); for (const packed of pr
 
 /// Checks the sources and builds the page into `dist`.
 pub(super) fn into_dist() -> Result<(), String> {
-    tools::packages()?;
-    run(tools::package_command("svelte-check").args(["--tsconfig", "./tsconfig.json", "--fail-on-warnings", "--output", "human"]))?;
+    node::packages(&sources())?;
+    run(node::package_command(&sources(), "svelte-check").args([
+        "--tsconfig",
+        "./tsconfig.json",
+        "--fail-on-warnings",
+        "--output",
+        "human",
+    ]))?;
     build(&built())?;
     println!("web: {} files in crates/workbench/dist", files(&built()).len());
     sizes(&built())
@@ -49,7 +55,7 @@ fn sizes(folder: &Path) -> Result<(), String> {
 
 /// Compares `dist` with what the sources build.
 pub(super) fn check() -> Result<(), String> {
-    if let Err(missing) = tools::packages() {
+    if let Err(missing) = node::packages(&sources()) {
         return programs::skip("page-build", &format!("whether crates/workbench/dist is up to date: {missing}"));
     }
     let fresh = workspace::root().join("target/page");
@@ -66,7 +72,7 @@ pub(super) fn check() -> Result<(), String> {
 }
 
 fn build(folder: &Path) -> Result<(), String> {
-    run(tools::package_command("vite").args(["build", "--logLevel", "warn", "--emptyOutDir", "--outDir"]).arg(folder))
+    run(node::package_command(&sources(), "vite").args(["build", "--logLevel", "warn", "--emptyOutDir", "--outDir"]).arg(folder))
 }
 
 /// Runs a command that talks to the person who started us.

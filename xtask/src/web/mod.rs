@@ -4,7 +4,6 @@
 
 mod browser;
 mod build;
-mod tools;
 
 use std::path::PathBuf;
 

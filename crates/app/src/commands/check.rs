@@ -17,6 +17,7 @@ use sieben_workspace::project::{Build, Overrides};
 use crate::arguments::{ProgramArguments, StrictArgument};
 use crate::failure::{Exit, Failure};
 use crate::programs::{Chosen, Folder, Program};
+use crate::testing::checked;
 use crate::{fixing, output, paths, report};
 
 /// Report everything that is wrong with a program.
@@ -127,7 +128,14 @@ fn compile(arguments: &Arguments, program: &Program, overrides: Overrides) -> Re
         true => arguments.program.load_files(&program.paths)?,
         false => arguments.program.load(&program.paths)?,
     };
-    Ok(project.compile(overrides, arguments.syntax_only))
+    let before = project.clone();
+    let mut build = project.compile(overrides, arguments.syntax_only);
+    if !arguments.syntax_only && !finding::has_errors(&build.findings) {
+        for test in checked::unit_tests(&before) {
+            build.findings.extend(checked::findings(&before, &test, overrides, &mut build.project.texts));
+        }
+    }
+    Ok(build)
 }
 
 /// Applies fixes until there are no more.

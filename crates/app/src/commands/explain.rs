@@ -30,6 +30,7 @@ use sieben_workspace::nearest::nearest;
 use crate::failure::{Exit, Failure};
 use crate::language;
 use crate::output;
+use crate::problem_pages::PAGES;
 
 /// The nine bits of the status word: name, other spellings, what it holds.
 const STATUS_BITS: &[(&str, &[&str], &str)] = &[
@@ -72,9 +73,6 @@ const ORGANIZATION_BLOCKS: &[(u16, u16, &str)] = &[
 
 /// Reasons of an instruction that are shown.
 const REASONS_SHOWN: usize = 4;
-
-/// The pages of all problems by code.
-const PAGES: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/problem_pages.rs"));
 
 /// Explain an instruction, an element of a diagram, a function, a problem code, a CPU type, a system function or an event.
 #[derive(Args)]

@@ -258,7 +258,11 @@ fn once(arguments: &Arguments) -> Result<Exit, Failure> {
 fn list(arguments: &Arguments, cases: &[Case]) -> Result<(), Failure> {
     let names: Vec<&str> = cases.iter().map(|case| case.name.as_str()).collect();
     match arguments.json {
-        true => output::print_json(&serde_json::json!({ "tests": names }), true),
+        true => {
+            let place = |case: &Case| serde_json::json!({ "name": case.name, "test_file": case.file, "line": case.line });
+            let places: Vec<_> = cases.iter().map(place).collect();
+            output::print_json(&serde_json::json!({ "tests": names, "places": places }), true)
+        }
         false => output::print(&names.iter().map(|name| format!("{name}\n")).collect::<String>()),
     }
 }

@@ -172,6 +172,14 @@ pub(super) const SENTENCES: &[Row] = &[
         "Run a project with its servers, for clients over the network, until it is told to end",
         "Ein Projekt mit seinen Servern ausführen, für Clients im Netz, bis es beendet wird",
     ),
+    (
+        "Serve an editor over standard input and output: what is wrong, what a word means, where it is used",
+        "Einen Editor über Standardein- und -ausgabe bedienen: was falsch ist, was ein Wort bedeutet, wo es benutzt wird",
+    ),
+    (
+        "Speak over standard input and output, which is what it always does: some editors say so",
+        "Über Standardein- und -ausgabe sprechen, was immer geschieht: manche Editoren geben es an",
+    ),
     ("Watch a program that runs, and start, stop or pause it", "Ein laufendes Programm beobachten, starten, stoppen oder pausieren"),
     (
         "Source files, symbol tables, or a project folder, as `run` was given them, or `demo` [default: this folder]",
@@ -504,6 +512,14 @@ pub(super) const BELOW: &[Row] = &[
     ),
     // demo, run, serve, top
     ("the plant, live in the terminal", "die Anlage, live im Terminal"),
+    (
+        "An editor starts it and speaks with it over standard input and output (Language Server Protocol). docs/how-to/editors.md says how to set up Neovim, Emacs and Helix; for VS Code there is an extension.",
+        "Ein Editor startet ihn und spricht mit ihm über Standardein- und -ausgabe (Language Server Protocol).\ndocs/how-to/editors.md sagt, wie man Neovim, Emacs und Helix einrichtet; für VS Code gibt es eine Erweiterung.",
+    ),
+    (
+        "Exit codes: 0 the editor has ended it, 1 the editor is gone, 2 usage.",
+        "Exitcodes: 0 der Editor hat ihn beendet, 1 der Editor ist weg, 2 Aufruf.",
+    ),
     (
         "S7 clients reach it at 127.0.0.1:1102, or at the next free port",
         "S7-Clients erreichen sie unter 127.0.0.1:1102 oder dem nächsten freien Port",

@@ -1,5 +1,6 @@
 //! Tests of programs in files: which there are, how many run at once, where their pages and diagrams go.
 
+pub(crate) mod checked;
 pub(crate) mod computer;
 pub(crate) mod coverage_pages;
 pub(crate) mod discovery;

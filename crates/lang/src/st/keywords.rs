@@ -144,6 +144,16 @@ impl Keyword {
         all.into_iter().find(|keyword| keyword.word().eq_ignore_ascii_case(word))
     }
 
+    /// All of them, sorted by word.
+    pub(super) fn all() -> impl Iterator<Item = Self> {
+        ROWS.iter().map(|row| row.1)
+    }
+
+    /// Whether no dialect reserves it: it is a word of test files.
+    pub(super) fn is_of_tests(self) -> bool {
+        ROWS[self as usize].2 == [0; 4]
+    }
+
     /// All words.
     pub(super) fn words() -> impl Iterator<Item = &'static str> {
         ROWS.iter().map(|row| row.0)

@@ -13,6 +13,7 @@ mod keywords;
 mod lexer;
 mod literals;
 pub mod lower;
+pub(crate) mod names;
 pub mod objects;
 mod open_arrays;
 pub mod parser;
@@ -24,6 +25,7 @@ pub mod syntax;
 pub mod tree;
 pub(crate) mod untold;
 mod variants;
+pub mod words;
 
 pub use dialect::Dialect;
 pub use format::format;

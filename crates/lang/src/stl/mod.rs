@@ -16,6 +16,7 @@ mod look_alikes;
 pub mod lower;
 pub mod meaning;
 pub mod mnemonics;
+pub(crate) mod names;
 pub mod operands;
 pub mod parser;
 pub(crate) mod reason;
@@ -25,6 +26,7 @@ pub(crate) mod resolve;
 pub(crate) mod size;
 pub mod syntax;
 pub mod why;
+pub mod words;
 
 pub use convert::convert;
 pub use format::format;

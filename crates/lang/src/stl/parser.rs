@@ -3,12 +3,12 @@
 //! One recursive descent builds the tree and the plain data together. It never gives up: what is
 //! not understood becomes an `Unexpected` token and a diagnostic, and parsing goes on behind it.
 
-mod blocks;
+pub(super) mod blocks;
 mod declarations;
 mod diagrams;
 mod extension;
-mod header;
-mod operands;
+pub(super) mod header;
+pub(super) mod operands;
 mod paths;
 mod printed;
 mod slips;

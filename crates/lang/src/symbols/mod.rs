@@ -6,6 +6,7 @@ mod check;
 pub mod csv;
 pub mod dif;
 mod headings;
+pub mod names;
 pub mod sdf;
 pub mod seq;
 

@@ -35,6 +35,8 @@ pub struct Finding {
     pub origin: Origin,
     /// What STEP 7 refuses is an error, too.
     pub strict: bool,
+    /// It is in a test file, without which the program runs: it is a warning.
+    pub of_test: bool,
     /// The programs that have it, where there are several.
     pub programs: Vec<String>,
     /// In which of the programs that share the file, if not in all of them.
@@ -69,7 +71,12 @@ impl Finding {
         Self::of(diagnostic, Origin::Program)
     }
     fn of(diagnostic: Diagnostic, origin: Origin) -> Self {
-        Self { diagnostic, origin, programs: Vec::new(), note: None, strict: false }
+        Self { diagnostic, origin, programs: Vec::new(), note: None, strict: false, of_test: false }
+    }
+    /// The same in a test file.
+    #[must_use]
+    pub fn in_test(self) -> Self {
+        Self { of_test: true, ..self }
     }
     /// What is wrong, and in which programs if that is not clear from the file.
     pub fn message(&self) -> String {
@@ -79,6 +86,7 @@ impl Finding {
     /// Error or warning.
     pub fn severity(&self) -> Severity {
         match self.diagnostic.problem {
+            _ if self.of_test && !self.strict => Severity::Warning,
             problem if self.strict && problem.is_refused() => Severity::Error,
             problem => problem.severity(),
         }

@@ -2,7 +2,9 @@
 
 mod awlsim;
 mod build;
+pub mod open;
 pub mod symbol_table;
+mod test_files;
 #[cfg(test)]
 mod tests;
 

@@ -33,6 +33,8 @@ pub struct Case {
     pub name: String,
     /// The test file that it stands in, if it is a unit test.
     pub file: Option<String>,
+    /// The line of its name in that file, from 1.
+    pub line: Option<usize>,
     /// The program that is no test unless it checks itself; `None` = it is one.
     pub perhaps: Option<Vec<PathBuf>>,
     /// The scenario that it is, if it is one.
@@ -49,7 +51,7 @@ pub type Runner = Box<dyn Fn(&Conditions) -> Outcome + Send + Sync>;
 impl Case {
     /// A test with this name.
     pub fn new(name: String, run: Runner) -> Self {
-        Self { name, file: None, perhaps: None, scenario: None, program: None, run }
+        Self { name, file: None, line: None, perhaps: None, scenario: None, program: None, run }
     }
 }
 

@@ -63,11 +63,15 @@ pub fn cases(name: &str, project: Result<Project, Refusal>, conditions: &Conditi
         Ok(ready) => {
             let ready = Arc::new(ready);
             let tests = ready.build.compiled.tests.tests.clone();
+            let texts = &ready.build.project.texts.program;
+            let text = tests.first().map_or("", |test| texts.file(test.span.file).text.as_str());
+            let ends: Vec<usize> = text.match_indices('\n').map(|(end, _)| end).collect();
             let case = |test: Test| {
                 let ready = Arc::clone(&ready);
                 let full = format!("{name}: {}", test.name);
+                let line = ends.partition_point(|&end| end < test.span.start as usize) + 1;
                 let run = move |conditions: &Conditions| run(&ready, &test, conditions);
-                Case { file: Some(name.to_owned()), ..Case::new(full, Box::new(run)) }
+                Case { file: Some(name.to_owned()), line: Some(line), ..Case::new(full, Box::new(run)) }
             };
             tests.into_iter().map(case).collect()
         }

@@ -11,7 +11,7 @@ use crate::stl::lexer::{Raw, token};
 use crate::stl::syntax::SyntaxKind;
 
 /// The keywords that begin and end blocks.
-pub(super) const BLOCKS: [(&str, &str, BlockKind); 5] = [
+pub(in crate::stl) const BLOCKS: [(&str, &str, BlockKind); 5] = [
     ("ORGANIZATION_BLOCK", "END_ORGANIZATION_BLOCK", BlockKind::OrganizationBlock),
     ("FUNCTION_BLOCK", "END_FUNCTION_BLOCK", BlockKind::FunctionBlock),
     ("FUNCTION", "END_FUNCTION", BlockKind::Function),
@@ -19,7 +19,8 @@ pub(super) const BLOCKS: [(&str, &str, BlockKind); 5] = [
     ("TYPE", "END_TYPE", BlockKind::UserDefinedType),
 ];
 
-const SECTIONS: [(&str, Section); 5] = [
+/// The keywords that begin sections of declarations.
+pub(in crate::stl) const SECTIONS: [(&str, Section); 5] = [
     ("VAR_INPUT", Section::Input),
     ("VAR_OUTPUT", Section::Output),
     ("VAR_IN_OUT", Section::InOut),
@@ -27,9 +28,19 @@ const SECTIONS: [(&str, Section); 5] = [
     ("VAR_TEMP", Section::Temp),
 ];
 
+/// The other keywords.
+pub(in crate::stl) const OTHERS: [(&str, Keyword); 6] = [
+    ("END_VAR", Keyword::EndVar),
+    ("STRUCT", Keyword::Struct),
+    ("END_STRUCT", Keyword::EndStruct),
+    ("BEGIN", Keyword::Begin),
+    ("NETWORK", Keyword::Network),
+    ("TITLE", Keyword::Title),
+];
+
 /// What a word means where declarations or statements may stand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Keyword {
+pub(in crate::stl) enum Keyword {
     BlockStart(usize),
     BlockEnd(usize),
     Section(Section),
@@ -56,20 +67,11 @@ pub(super) fn keyword_of(word: &str) -> Option<Keyword> {
     if let Some(&(_, section)) = SECTIONS.iter().find(|&&(name, _)| is(name)) {
         return Some(Keyword::Section(section));
     }
-    [
-        ("END_VAR", Keyword::EndVar),
-        ("STRUCT", Keyword::Struct),
-        ("END_STRUCT", Keyword::EndStruct),
-        ("BEGIN", Keyword::Begin),
-        ("NETWORK", Keyword::Network),
-        ("TITLE", Keyword::Title),
-    ]
-    .into_iter()
-    .find_map(|(name, keyword)| is(name).then_some(keyword))
+    OTHERS.iter().find_map(|&(name, keyword)| is(name).then_some(keyword))
 }
 
 /// Whether a word begins or ends a block, a section or the statements.
-pub(super) fn is_keyword(word: &str) -> bool {
+pub(in crate::stl) fn is_keyword(word: &str) -> bool {
     keyword_of(word).is_some()
 }
 

@@ -8,9 +8,11 @@ use crate::stl::ast::{Block, Header, TypeKind, TypeName, Word};
 use crate::stl::lexer::{Raw, is_terminated, token, trim_blanks};
 use crate::stl::syntax::SyntaxKind;
 
-const HEADER_FLAGS: [&str; 6] = ["KNOW_HOW_PROTECT", "READ_ONLY", "UNLINKED", "NON_RETAIN", "STANDARD", "CODE_VERSION1"];
+/// Words of a head without a value.
+pub(in crate::stl) const HEADER_FLAGS: [&str; 6] = ["KNOW_HOW_PROTECT", "READ_ONLY", "UNLINKED", "NON_RETAIN", "STANDARD", "CODE_VERSION1"];
 
-const HEADER_FIELDS: [&str; 4] = ["AUTHOR", "FAMILY", "NAME", "VERSION"];
+/// Words of a head with a value.
+pub(in crate::stl) const HEADER_FIELDS: [&str; 4] = ["AUTHOR", "FAMILY", "NAME", "VERSION"];
 
 impl Parser<'_> {
     /// Whether a line of a head begins here: `AUTHOR`, `READ_ONLY`.

@@ -13,7 +13,7 @@ use crate::stl::mnemonics::{translate_letters, translate_status};
 use crate::stl::syntax::SyntaxKind;
 
 /// Words of the status word and the registers, in both languages.
-const STATUS_WORDS: [&str; 12] = ["STW", "BR", "BIE", "OV", "OS", "UO", "DBLG", "DBNO", "DILG", "DINO", "AR1", "AR2"];
+pub(in crate::stl) const STATUS_WORDS: [&str; 12] = ["STW", "BR", "BIE", "OV", "OS", "UO", "DBLG", "DBNO", "DILG", "DINO", "AR1", "AR2"];
 
 /// What the letters of an address want behind them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,0 +1,71 @@
+//! Addresses for symbols, and symbols for addresses.
+
+use sieben_lang::names::{Access, DefId, DefinitionKind, Written};
+use sieben_lang::source_names::is_identifier;
+use sieben_model::address::Operand;
+
+use super::super::context::quotes_names;
+use super::{Action, At, Bytes, Kind};
+
+/// Writes what is selected by symbols, and by addresses.
+pub(super) fn actions(at: &At<'_>) -> Vec<Action> {
+    let Some(source) = at.snapshot.of_text(at.text) else { return Vec::new() };
+    let Some(language) = at.snapshot.language(at.text) else { return Vec::new() };
+    let names = at.snapshot.names();
+    let quotes = quotes_names(language);
+    let mnemonics = at.snapshot.mnemonics(at.text);
+    let (mut symbolic, mut absolute) = (Vec::new(), Vec::new());
+    let first = source.occurrences.partition_point(|one| (one.span.end as usize) < at.range.start);
+    for (index, one) in source.occurrences.iter().enumerate().skip(first) {
+        let span = Bytes::from(one.span);
+        if span.start > at.range.end {
+            break;
+        }
+        if matches!(one.access, Access::Definition) {
+            continue;
+        }
+        match one.written {
+            Written::Operand(operand) => {
+                let Some(symbol) = names.symbol_of(operand) else { continue };
+                let is_percent = span.start > 0 && at.content().get(span.start - 1..span.start) == Some("%");
+                let range = Bytes { start: span.start - usize::from(is_percent), ..span };
+                let new_text = match quotes {
+                    true => format!("\"{}\"", symbol.name),
+                    false if is_identifier(&symbol.name, language) => symbol.name.clone(),
+                    false => continue,
+                };
+                symbolic.push(at.edit(range, new_text));
+            }
+            Written::Global(_) | Written::Plain(_) => {
+                let is_symbol = |target: &DefId| match *target {
+                    DefId::Block(block) => names.symbol_of(Operand::Block(block)).is_some(),
+                    DefId::Definition { text, index } => {
+                        names.definition_at((text, index)).is_some_and(|one| one.kind == DefinitionKind::Symbol)
+                    }
+                    DefId::Operand(_) => false,
+                };
+                let Some(target) = names.resolve(at.text.0 as u32, index as u32).filter(is_symbol) else { continue };
+                let Some(operand) = names.operand(target) else { continue };
+                let quote = |start: usize| usize::from(at.content().get(start..start + 1) == Some("\""));
+                let range = Bytes { start: span.start - span.start.checked_sub(1).map_or(0, quote), end: span.end + quote(span.end) };
+                let spelled = operand.spell(mnemonics);
+                let new_text = match (language.dialect(), operand) {
+                    (None, _) => spelled,
+                    (Some(_), Operand::Block(_)) => spelled.replace(' ', ""),
+                    (Some(_), Operand::Timer(_) | Operand::Counter(_)) => spelled.replace(' ', ""),
+                    (Some(_), _) => format!("%{}", spelled.replace(' ', "")),
+                };
+                absolute.push(at.edit(range, new_text));
+            }
+            _ => {}
+        }
+    }
+    let mut actions = Vec::new();
+    if !symbolic.is_empty() {
+        actions.push(Action::new(Kind::Rewrite, "Write symbols for addresses", symbolic));
+    }
+    if !absolute.is_empty() {
+        actions.push(Action::new(Kind::Rewrite, "Write addresses for symbols", absolute));
+    }
+    actions
+}
