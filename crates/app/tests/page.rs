@@ -398,7 +398,7 @@ fn what_is_done_over_http_is_done_and_noted() {
     }
     let log = fs::read_to_string(folder.path().join(".sieben/audit.log")).expect("a log");
     let what: Vec<Value> = log.lines().map(|line| serde_json::from_str::<Value>(line).expect("JSON")["what"].clone()).collect();
-    assert_eq!(what, ["write", "write", "force", "unforce", "stop", "start", "fault"], "{log}");
+    assert_eq!(what, ["write", "write", "force", "unforce", "stop", "start", "time", "time", "time", "fault"], "{log}");
     assert!(log.lines().all(|line| line.contains("\"peer\":\"page 127.0.0.1:")), "{log}");
 }
 
