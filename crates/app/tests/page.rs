@@ -145,6 +145,7 @@ fn in_both_engines(folder: impl Fn() -> Folder, check: impl Fn(&Serving)) {
 #[test]
 fn a_page_that_comes_while_time_stands_still_sees_the_last_scan() {
     in_both_engines(project, |serving| {
+        until("a scan", || (serving.json("GET", "/api/v1/state", "")["scans"] != 0).then_some(()));
         assert_eq!(serving.json("GET", "/api/v1/stacks", ""), Value::Null, "it runs");
         serving.json("POST", "/api/v1/time", r#"{"pause":true}"#);
         let scans = serving.json("GET", "/api/v1/state", "")["scans"].as_u64();
@@ -197,6 +198,7 @@ fn an_instance_has_its_own_values() {
 #[test]
 fn statements_and_networks_are_stepped_through_and_back() {
     in_both_engines(with_instances, |serving| {
+        until("a scan", || (serving.json("GET", "/api/v1/state", "")["scans"] != 0).then_some(()));
         serving.json("POST", "/api/v1/time", r#"{"pause":true}"#);
         let scans = serving.json("GET", "/api/v1/state", "")["scans"].as_u64().expect("a number");
         let mut page = serving.page("");
@@ -279,8 +281,11 @@ fn entries_of_the_diagnostic_buffer_say_in_which_scan_they_came() {
     in_both_engines(
         || Folder::with(&[("main.awl", text)]),
         |serving| {
-            until("the CPU stops", || (serving.json("GET", "/api/v1/state", "")["mode"] == "STOP").then_some(()));
-            let scans = serving.json("GET", "/api/v1/state", "")["scans"].as_u64();
+            // Before it starts it is in STOP, too.
+            let state = until("the CPU stops", || {
+                Some(serving.json("GET", "/api/v1/state", "")).filter(|state| state["mode"] == "STOP" && state["scans"] != 0)
+            });
+            let scans = state["scans"].as_u64();
             let mut page = serving.page("");
             page.say(&json!({ "t": "sub", "id": "d", "what": "diag" }));
             let list = page.until("the buffer", |message| message["s"]["d"].is_array())["s"]["d"].clone();
@@ -398,7 +403,7 @@ fn what_is_done_over_http_is_done_and_noted() {
     }
     let log = fs::read_to_string(folder.path().join(".sieben/audit.log")).expect("a log");
     let what: Vec<Value> = log.lines().map(|line| serde_json::from_str::<Value>(line).expect("JSON")["what"].clone()).collect();
-    assert_eq!(what, ["write", "write", "force", "unforce", "stop", "start", "fault"], "{log}");
+    assert_eq!(what, ["write", "write", "force", "unforce", "stop", "start", "time", "time", "time", "fault"], "{log}");
     assert!(log.lines().all(|line| line.contains("\"peer\":\"page 127.0.0.1:")), "{log}");
 }
 
@@ -407,6 +412,7 @@ fn what_is_wrong_is_a_problem_with_its_code() {
     let folder = project();
     let serving = Serving::usual(&folder);
     let other = format!("Host: other.example:{}\r\n", serving.page.port());
+    let twice = format!("Host: {0}\r\nHost: {0}\r\n", serving.page);
     for (method, path, head, body, status, code) in [
         ("GET", "/api/v1/nothing", "", "", 404, "P7137"),
         ("GET", "/nothing.js", "", "", 404, "P7137"),
@@ -420,7 +426,10 @@ fn what_is_wrong_is_a_problem_with_its_code() {
         ("POST", "/api/v1/forces", "", r#"{"name":"C 0","value":"1","reason":""}"#, 404, "P7003"),
         ("GET", "/api/v1/trace?from=900000&to=900001&channels=MW10", "", "", 404, "P7139"),
         ("GET", "/ws", "", "", 400, "P7131"),
+        ("GET", "/api/v1/trace?from=9&to=8&channels=MW10", "", "", 400, "P7131"),
         ("GET", "/", &other, "", 421, "P7135"),
+        ("GET", "/", &twice, "", 421, "P7135"),
+        ("DELETE", "/api/v1/forces/Nothing", "", "", 404, "P7003"),
         ("GET", "/api/v1/state", "Origin: http://other.example\r\n", "", 403, "P7134"),
         ("POST", "/api/v1/mode", "Origin: null\r\n", r#"{"mode":"stop"}"#, 403, "P7134"),
     ] {

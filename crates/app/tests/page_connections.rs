@@ -11,6 +11,7 @@ use std::time::{Duration, Instant};
 
 use command::{Folder, until};
 use pages::Serving;
+use pages::socket::PING;
 use serde_json::{Value, json};
 
 const PROGRAM: &str = "ORGANIZATION_BLOCK OB 1\nBEGIN\nL MW 10;\nL 1;\n+I;\nT MW 10;\nEND_ORGANIZATION_BLOCK\n";
@@ -118,6 +119,27 @@ fn connections_that_only_wait_keep_nobody_out() {
     };
     let gone = slow.iter_mut().map(is_gone).filter(|gone| *gone).count();
     assert!(gone >= 150, "{gone}");
+}
+
+#[test]
+fn a_page_that_wants_nothing_goes_when_it_answers_nothing() {
+    let folder = project();
+    let serving = Serving::usual(&folder);
+    let (mut there, mut gone) = (serving.page(""), serving.page(""));
+    for page in [&mut there, &mut gone] {
+        page.say(&json!({ "t": "rate", "hz": 0 }));
+    }
+    let answering = std::thread::spawn(move || while there.next().is_some() {});
+    let begin = Instant::now();
+    let mut pings = 0;
+    // It reads and answers nothing, as a computer that went to sleep.
+    while let Some((kind, _)) = gone.next_frame() {
+        pings += u32::from(kind == PING);
+    }
+    assert!(pings == 1 && begin.elapsed() < Duration::from_secs(60), "{pings} {:?}", begin.elapsed());
+    until("one page is left", || (serving.json("GET", "/api/v1/clients", "").as_array()?.len() == 1).then_some(()));
+    drop(serving);
+    answering.join().expect("it ends with the server");
 }
 
 #[test]

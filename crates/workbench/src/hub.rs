@@ -46,6 +46,8 @@ const WAIT: Duration = Duration::from_millis(2 * LOOK_MS);
 const SELDOM: u64 = 10;
 /// Pages that are connected at most.
 pub const PAGES_MAX: usize = 100;
+/// Places among them that are kept for pages that may change something.
+const PROGRAM_PAGES: usize = 10;
 
 /// A page that is connected.
 #[derive(Clone, Debug)]
@@ -170,7 +172,8 @@ impl Hub {
     /// A page comes; `None` if there are too many.
     pub(crate) fn enter(&self, visitor: Visitor) -> Option<u64> {
         let mut visitors = lock(&self.visitors);
-        (visitors.len() < PAGES_MAX).then(|| {
+        let places = if visitor.role == crate::access::Role::Program { PAGES_MAX } else { PAGES_MAX - PROGRAM_PAGES };
+        (visitors.len() < places).then(|| {
             let page = self.next.fetch_add(1, Ordering::Relaxed);
             visitors.insert(page, visitor);
             self.wanted.set(page, Some(Wanted::default()));

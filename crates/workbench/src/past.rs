@@ -84,6 +84,22 @@ fn thinned(points: Vec<(u64, f64)>, most: usize) -> Vec<(u64, f64)> {
     thin
 }
 
+/// The scans of a question, of which the newest ones are wanted most where there are too many.
+///
+/// # Errors
+/// None of them is kept, or they are given the wrong way round.
+fn span(hub: &Hub, (from, to): (u64, u64)) -> Result<(u64, u64), Refusal> {
+    if from > to {
+        return Err(Refusal::new(Problem::P7131, format!("scan {from} comes after scan {to}")).help("`from` is the earlier one"));
+    }
+    let (oldest, newest) = hub.desk.past().range().ok_or_else(|| not_kept(Gone::NotKept))?;
+    if from > newest.scan || to < oldest.scan {
+        return Err(not_kept(Gone::NotKept));
+    }
+    let to = to.min(newest.scan);
+    Ok((from.max(to.saturating_sub(SCANS_MAX - 1)), to))
+}
+
 /// Values of the past, where they became others.
 ///
 /// # Errors
@@ -91,15 +107,15 @@ fn thinned(points: Vec<(u64, f64)>, most: usize) -> Vec<(u64, f64)> {
 pub(crate) fn history(hub: &Hub, viewer: &mut Viewer, asked: &History) -> Result<Json, Refusal> {
     let program = hub.program();
     let items: Vec<Option<Item>> = asked.channels.iter().map(|name| item_of(name, &program)).collect();
-    // Of a long time the end is wanted most.
-    let from = asked.from.max(asked.to.saturating_sub(SCANS_MAX - 1));
+    let to = asked.to.min(hub.desk.past().range().map_or(0, |(_, newest)| newest.scan));
+    let from = asked.from.max(to.saturating_sub(SCANS_MAX - 1));
     let mut changes = Changes { items: &items, last: vec![None; items.len()], points: vec![Vec::new(); items.len()], seen: None };
     let look = |seen: Seen<'_>| {
         changes.look(&seen);
         true
     };
-    viewer.each(hub.desk.past(), (from, asked.to), look).map_err(not_kept)?;
-    let (first, last) = changes.seen.unwrap_or((asked.to, asked.to));
+    viewer.each(hub.desk.past(), (from, to), look).map_err(not_kept)?;
+    let (first, last) = changes.seen.unwrap_or((to, to));
     let share = POINTS_MAX / asked.channels.len().max(1);
     let most = if asked.points == 0 { share } else { asked.points.min(share) };
     let points = changes
@@ -215,7 +231,7 @@ pub(crate) fn trace(hub: &Hub, (from, to): (u64, u64), channels: &str, written: 
     }
     let meant = names.into_iter().map(|name| Name::parse(name, &facts.symbols, &facts.program).map(Name::readable));
     let meant = meant.collect::<Result<Vec<_>, _>>().map_err(|error| sieben_workspace::names::refused(&error))?;
-    let from = from.max(to.saturating_sub(SCANS_MAX - 1));
+    let (from, to) = span(hub, (from, to))?;
     let failed = |error: TraceError| Refusal::new(Problem::P7130, error.to_string());
     let origin = Origin { title: facts.project.clone().unwrap_or_default(), ..Origin::default() };
     let mut recorder = Recorder::new(meant, Keep::All, origin, Box::new(Memory::new(TRACE_BYTES_MAX))).map_err(failed)?;
@@ -254,6 +270,7 @@ mod tests {
         assert!(thin.windows(2).all(|pair| pair[0].0 < pair[1].0), "in their order");
         assert_eq!((thin.first(), thin.last()), (points.first(), points.last()), "what it begins and ends with");
         assert_eq!(thinned(points[..50].to_vec(), 100), points[..50]);
-        assert_eq!(thinned(points, 1).len(), GROUP_POINTS);
+        let few: Vec<u64> = thinned(points, 1).into_iter().map(|(scan, _)| scan).collect();
+        assert_eq!(few, [0, 5_555, 9_999], "the first is the least one, too");
     }
 }

@@ -2,7 +2,7 @@
 
 use std::ffi::OsStr;
 use std::io::{self, ErrorKind, Read, Write};
-use std::net::{SocketAddr, TcpListener};
+use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr, TcpListener, UdpSocket};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -22,7 +22,7 @@ use crate::failure::Failure;
 use crate::folder::{self, Folder};
 
 /// Where the page is served if nothing else is said.
-pub(super) const LISTEN: SocketAddr = SocketAddr::new(std::net::IpAddr::V4(std::net::Ipv4Addr::LOCALHOST), PORT);
+pub(super) const LISTEN: SocketAddr = SocketAddr::new(IpAddr::V4(Ipv4Addr::LOCALHOST), PORT);
 /// Where what is done at pages is noted.
 const AUDIT_FILE: &str = ".sieben/audit.log";
 /// Where the tokens are kept, if nothing else is said.
@@ -158,7 +158,7 @@ impl PreparedPage {
         let no_thread = |error: io::Error| Failure::usage(Problem::P7102, format!("the page cannot be served: {error}"));
         let page = Page::start(self.listener, setup).map_err(no_thread)?;
         let served = ServedPage { page, tokens, _audit: self.audit };
-        facts.set_page(format!("http://{}/", served.address()));
+        facts.set_page(format!("http://{}/", reached_at(served.address())));
         if self.opens == Opens::Yes {
             served.open();
         }
@@ -174,7 +174,7 @@ impl ServedPage {
 
     /// Where it is, for people; with the tokens, if it has some.
     pub(crate) fn text(&self) -> String {
-        let address = self.address();
+        let address = reached_at(self.address());
         match &self.tokens {
             None => format!("The page is at http://{address}/.\n"),
             Some(Tokens { program, view }) => format!(
@@ -188,7 +188,7 @@ impl ServedPage {
     /// Opens it in the browser of this user; where there is none its address is printed all the same.
     fn open(&self) {
         let token = self.tokens.as_ref().map_or_else(String::new, |tokens| format!("?token={}", tokens.program));
-        let address = format!("http://{}/{token}", self.address());
+        let address = format!("http://{}/{token}", reached_at(self.address()));
         let quiet = std::process::Stdio::null;
         let opened = std::process::Command::new("xdg-open").arg(address).stdin(quiet()).stdout(quiet()).stderr(quiet()).spawn();
         if let Ok(mut opener) = opened {
@@ -196,6 +196,19 @@ impl ServedPage {
             let _ = std::thread::Builder::new().name("opener".to_owned()).spawn(move || opener.wait());
         }
     }
+}
+
+/// Where others reach what listens at all addresses of this computer: at the one that leads out of it.
+fn reached_at(listening: SocketAddr) -> SocketAddr {
+    if !listening.ip().is_unspecified() {
+        return listening;
+    }
+    // Addresses of the documentation: nothing is sent there, only the way to them is looked up.
+    let far: IpAddr =
+        if listening.is_ipv4() { Ipv4Addr::new(192, 0, 2, 1).into() } else { Ipv6Addr::new(0x2001, 0xDB8, 0, 0, 0, 0, 0, 1).into() };
+    let way = UdpSocket::bind((listening.ip(), 0)).and_then(|socket| socket.connect((far, 9)).and_then(|()| socket.local_addr()));
+    let here: IpAddr = if listening.is_ipv4() { Ipv4Addr::LOCALHOST.into() } else { Ipv6Addr::LOCALHOST.into() };
+    SocketAddr::new(way.map_or(here, |way| way.ip()), listening.port())
 }
 
 fn not_kept(file: &str, why: &str) -> Failure {

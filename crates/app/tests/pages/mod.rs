@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 use crate::command::{DEADLINE, Folder, sieben};
 pub(crate) use socket::Page;
 
-mod socket;
+pub(crate) mod socket;
 
 /// A run with a page. It is killed when this goes.
 pub(crate) struct Serving {

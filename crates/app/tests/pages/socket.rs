@@ -6,6 +6,9 @@ use std::net::TcpStream;
 
 use serde_json::{Value, json};
 
+/// A frame that asks whether the other end is there.
+pub(crate) const PING: u8 = 9;
+
 /// A page without a browser.
 pub(crate) struct Page {
     stream: BufReader<TcpStream>,
@@ -58,8 +61,8 @@ impl Page {
         self.stream.read_exact(&mut bytes).ok().map(|()| bytes)
     }
 
-    /// The next message, acknowledged; `None` at the end.
-    pub(crate) fn next(&mut self) -> Option<Value> {
+    /// The next frame: its kind and what it carries; `None` at the end.
+    pub(crate) fn next_frame(&mut self) -> Option<(u8, Vec<u8>)> {
         let [kind, length] = self.bytes()?;
         let length = match length & 0x7F {
             126 => usize::from(u16::from_be_bytes(self.bytes()?)),
@@ -69,9 +72,18 @@ impl Page {
         let mut payload = vec![0; length];
         self.stream.read_exact(&mut payload).ok()?;
         self.bytes_in += 2 + length as u64;
-        if kind & 0x0F == 8 {
-            return None;
-        }
+        Some((kind & 0x0F, payload))
+    }
+
+    /// The next message, acknowledged; `None` at the end.
+    pub(crate) fn next(&mut self) -> Option<Value> {
+        let payload = loop {
+            match self.next_frame()? {
+                (8, _) => return None,
+                (PING, payload) => self.frame(10, &payload),
+                (_, payload) => break payload,
+            }
+        };
         let message: Value = serde_json::from_slice(&payload).expect("JSON");
         if message["t"] == "scan" {
             self.say(&json!({ "t": "ack", "seq": message["seq"] }));

@@ -112,6 +112,9 @@ fn refused(denied: Denied) -> Refusal {
 
 fn role(shared: &Shared, headers: &HeaderMap, query: &Query) -> Result<Role, Denied> {
     let text = |name| headers.get(name).and_then(|value| value.to_str().ok());
+    if headers.get_all(header::HOST).iter().count() > 1 {
+        return Err(Denied::Host);
+    }
     let bearer = text(header::AUTHORIZATION).and_then(|value| value.strip_prefix("Bearer "));
     shared.access.role(Credentials { host: text(header::HOST), origin: text(header::ORIGIN), token: bearer.or(query.get("token")) })
 }

@@ -34,6 +34,8 @@ const READ_BYTES_MAX: usize = 32 * FRAME_BYTES_MAX;
 const SEND_WAIT_MAX: Duration = Duration::from_secs(15);
 /// How long a page may wait with its first message.
 const HELLO_WAIT_MAX: Duration = Duration::from_secs(10);
+/// How often a page is asked whether it is still there, in microseconds: one that wants no messages says nothing by itself.
+const PING_US: u64 = 10_000_000;
 /// Longest wait before it is looked whether a page is still there.
 const LOOK_AGAIN: Duration = Duration::from_secs(1);
 
@@ -106,16 +108,33 @@ async fn serve(socket: &mut WebSocket, shared: &Arc<Shared>, page: u64, visitor:
     if send(socket, text).await.is_err() {
         return Ok(());
     }
+    let [mut heard_us, mut pinged_us, mut looked_us] = [hub.gate.now_us(); 3];
     loop {
         let now_us = hub.gate.now_us();
         if client.is_gone(now_us) {
             return Err(Refusal::new(Problem::P7130, format!("no message was acknowledged for {} seconds", GONE_US / 1_000_000)));
         }
+        if now_us.saturating_sub(std::mem::replace(&mut looked_us, now_us)) > PING_US / 2 {
+            // While a long question was answered nothing was read.
+            heard_us = now_us;
+        }
+        if now_us.saturating_sub(heard_us.max(pinged_us)) >= PING_US {
+            // Its answer to the last one is late: the computer at the other end is off, or the way to it.
+            if pinged_us > heard_us {
+                return Ok(());
+            }
+            pinged_us = now_us;
+            if timeout(SEND_WAIT_MAX, socket.send(Message::Ping(Vec::new().into()))).await.is_err() {
+                return Ok(());
+            }
+        }
         let due = client.due_us(now_us).map(|due| Duration::from_micros(due.saturating_sub(now_us)));
         let has_news = matches!(due, Some(due) if due.is_zero());
         tokio::select! {
             biased;
-            came = receive(socket) => match came {
+            came = receive(socket) => {
+                heard_us = hub.gate.now_us();
+                match came {
                 Ok(None) => {}
                 Ok(Some(frame)) => {
                     let asked = client.hear(&frame, hub.gate.now_us())?;
@@ -136,6 +155,7 @@ async fn serve(socket: &mut WebSocket, shared: &Arc<Shared>, page: u64, visitor:
                 }
                 Err(None) => return Ok(()),
                 Err(Some(refusal)) => return Err(refusal),
+                }
             },
             changed = looks.changed(), if has_news => {
                 if changed.is_err() {
@@ -241,9 +261,7 @@ async fn answer(shared: &Arc<Shared>, views: &mut Views, (client, visitor): (&mu
                 At::Step(unit, steps) => {
                     let wanted = client.wanted(&hub.program());
                     let (from, runs) = (views.at, (visitor.role == Role::Program).then(|| visitor.peer.clone()));
-                    blocking(move || step(&hub, &mut lock(&replayer), (from, shown, runs), (&wanted, unit, steps)))
-                        .await
-                        .and_then(|to| to)
+                    blocking(move || step(&hub, &mut lock(&replayer), (from, shown, runs), (&wanted, unit, steps))).await.and_then(|to| to)
                 }
             };
             let to = match moved {

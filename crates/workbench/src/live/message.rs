@@ -393,7 +393,7 @@ mod tests {
             (r#"{"t":"hello","v":2}"#, "P7131: `hello` has `\"v\": 1`"),
             (r#"{"t":"sub","what":"leds"}"#, "P7131: `id` is text"),
             (r#"{"t":"sub","id":"","what":"leds"}"#, "P7131: `id` is text"),
-            (r#"{"t":"sub","id":"x","what":"everything"}"#, "P7131: `what` is one of `rows`, `tags`, `plant`"),
+            (r#"{"t":"sub","id":"x","what":"everything"}"#, "P7131: `what` is one of `rows`, `tags`, `flow`, `plant`"),
             (r#"{"t":"sub","id":"x","what":"tags","names":[1]}"#, "P7131: `names` is a list"),
             (r#"{"t":"sub","id":"x","what":"rows","block":"OB1","from":0,"to":400}"#, "P7130: `rows` has at most 400"),
             (r#"{"t":"sub","id":"x","what":"rows","block":"OB1","from":-1,"to":4}"#, "P7131: `from` is a whole number"),

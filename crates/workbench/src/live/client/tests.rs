@@ -133,7 +133,7 @@ fn another_program_is_told_of_and_all_is_sent_again() {
     update(&mut client, 1, 0).expect("a message");
     let other = Shot { program: Arc::new(Known::new(1, Arc::default())), ..shot(2) };
     let told: Json = serde_json::from_str(&client.meets(&other).expect("it is another one")).expect("JSON");
-    assert_eq!((told["t"].clone(), told["hash"].clone()), (json!("program"), json!("1")));
+    assert_eq!((told["t"].clone(), told["hash"].clone()), (json!("program"), json!(other.program.hash())));
     let text = client.update(&other, Live::Yes, 100_000).expect("it is short").expect("a message");
     assert!(text.contains(r#""x":{"a":2,"b":0}"#), "{text}");
 }
