@@ -359,8 +359,46 @@ fn hostile_settings_are_a_diagnostic_of_theirs() {
     }
 }
 
+/// The text after a change, as the protocol says it: lines end with LF, CR LF or CR, columns are units of UTF-16.
+fn edited(text: &str, range: &Value, new: &str) -> String {
+    let byte = |position: &Value| {
+        let (line, column) = (position["line"].as_u64().unwrap_or(0), position["character"].as_u64().unwrap_or(0));
+        let mut start = 0;
+        for _ in 0..line {
+            match text[start..].find(['\r', '\n']) {
+                Some(end) => start += end + if text[start + end..].starts_with("\r\n") { 2 } else { 1 },
+                None => return text.len(),
+            }
+        }
+        let mut units = 0;
+        for (at, character) in text[start..].char_indices() {
+            units += character.len_utf16() as u64;
+            if units > column || matches!(character, '\r' | '\n') {
+                return start + at;
+            }
+        }
+        text.len()
+    };
+    let (start, end) = (byte(&range["start"]), byte(&range["end"]));
+    format!("{}{new}{}", &text[..start.min(end)], &text[end.max(start)..])
+}
+
+/// What a server says of the text.
+fn said_of(client: &mut Client) -> [Value; 4] {
+    let uri = client.uri("main.awl");
+    let document = json!({ "textDocument": { "uri": uri } });
+    let diagnostics = client.result("textDocument/diagnostic", document.clone())["items"].clone();
+    let asked = ["documentSymbol", "foldingRange", "semanticTokens/full"];
+    let [outline, folds, tokens] = asked.map(|what| client.result(&format!("textDocument/{what}"), document.clone()));
+    // A number that only this server has.
+    [diagnostics, outline, folds, tokens["data"].clone()]
+}
+
 #[test]
 fn random_edits_leave_what_a_new_server_knows() {
+    /// Edits, times `SIEBEN_TIMES`.
+    const EDITS: u64 = 500;
+    let times = std::env::var("SIEBEN_TIMES").ok().and_then(|times| times.parse().ok()).unwrap_or(1);
     let mut client = plant("edits");
     client.diagnostics("main.awl", Some(1));
     let pieces = [
@@ -387,26 +425,28 @@ fn random_edits_leave_what_a_new_server_knows() {
         state ^= state << 17;
         state % bound
     };
-    let mut version = 1;
-    for round in 0..300 {
+    let mut text = MAIN.to_owned();
+    for edit in 1..=EDITS * times {
         let (line, character) = (random(24), random(20));
         let (more, further) = (random(2), random(6));
         let range =
             json!({ "start": { "line": line, "character": character }, "end": { "line": line + more, "character": character + further } });
-        let text = pieces[usize::try_from(random(pieces.len() as u64)).unwrap_or(0)];
-        version += 1;
-        let change = if round % 97 == 96 { json!([{ "text": MAIN }]) } else { json!([{ "range": range, "text": text }]) };
-        client.change("main.awl", version, &change);
-        if round % 30 == 29 {
-            let uri = client.uri("main.awl");
-            let now = client.result("textDocument/diagnostic", json!({ "textDocument": { "uri": uri } }))["items"].clone();
-            let outline = client.result("textDocument/documentSymbol", json!({ "textDocument": { "uri": uri } }));
-            // All is read again: what is known then is the same.
-            client.tell("workspace/didChangeConfiguration", json!({ "settings": { "strict": round % 60 == 29 } }));
-            client.tell("workspace/didChangeConfiguration", json!({ "settings": {} }));
-            let again = client.result("textDocument/diagnostic", json!({ "textDocument": { "uri": uri } }))["items"].clone();
-            assert_eq!(now, again, "after {round} edits");
-            assert_eq!(outline, client.result("textDocument/documentSymbol", json!({ "textDocument": { "uri": uri } })));
+        let piece = pieces[usize::try_from(random(pieces.len() as u64)).unwrap_or(0)];
+        let change = match edit % 97 {
+            0 => {
+                MAIN.clone_into(&mut text);
+                json!([{ "text": MAIN }])
+            }
+            _ => {
+                text = edited(&text, &range, piece);
+                json!([{ "range": range, "text": piece }])
+            }
+        };
+        client.change("main.awl", i32::try_from(edit + 1).expect("few edits"), &change);
+        if edit % 50 == 0 {
+            let mut fresh = plant("edits-fresh");
+            fresh.change("main.awl", 2, &json!([{ "text": text }]));
+            assert_eq!(said_of(&mut client), said_of(&mut fresh), "after {edit} edits: {text}");
         }
     }
     assert_eq!(client.shut_down(), Some(0));

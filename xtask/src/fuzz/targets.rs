@@ -62,6 +62,7 @@ pub const TARGETS: &[Target] = &[
     Target { name: "workspace-settings", fuzz: settings, corpus: "settings", fences: &[], words: settings_words },
     Target { name: "workspace-control", fuzz: sieben_workspace::control::fuzz, corpus: "control", fences: &[], words: control_words },
     Target { name: "page-messages", fuzz: sieben_workbench::live::fuzz::fuzz, corpus: "page", fences: &[], words: page_words },
+    Target { name: "ide-editing", fuzz: sieben_ide::editing::fuzz::fuzz, corpus: "stl", fences: &["stl", "st", "lad", "fbd"], words: stl_words },
     Target { name: "model-literal", fuzz: literal, corpus: "literal", fences: &[], words: literal_words },
 ];
 

@@ -103,7 +103,7 @@ fn fuzz_rounds(time: Duration) -> Result<(), String> {
 /// Tests of many programs that make more of them when `SIEBEN_TIMES` says so.
 const MANY_PROGRAMS: &[&[&str]] = &[
     &["-p", "sieben-jit", "--test", "programs"],
-    &["-p", "sieben-app", "--test", "chosen_methods", "--test", "handed_values", "--test", "st_lost_tokens"],
+    &["-p", "sieben-app", "--test", "chosen_methods", "--test", "handed_values", "--test", "st_lost_tokens", "--test", "lsp"],
 ];
 
 /// Runs so many times as many programs as the tests do.

@@ -1,4 +1,5 @@
 //! A scripted client of the language server, over the streams of the real binary.
+#![allow(dead_code)] // Tests and the benchmark use a part of it each.
 
 use std::io::{BufRead, BufReader, Read, Write};
 use std::path::{Path, PathBuf};
@@ -164,6 +165,14 @@ impl Client {
         let position = position(marked);
         let uri = self.uri(path);
         self.ask(method, json!({ "textDocument": { "uri": uri }, "position": position, "context": { "includeDeclaration": true } }))
+    }
+
+    /// The most memory that the server has had, in KiB.
+    #[cfg(target_os = "linux")]
+    pub(crate) fn memory_kib(&self) -> u64 {
+        let status = std::fs::read_to_string(format!("/proc/{}/status", self.child.id())).expect("it runs");
+        let most = status.lines().find_map(|line| line.strip_prefix("VmHWM:")).expect("a figure");
+        most.trim().trim_end_matches(" kB").parse().expect("a number")
     }
 
     /// Ends the input; the exit code.

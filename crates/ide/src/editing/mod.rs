@@ -9,6 +9,7 @@ pub mod calls;
 pub mod completion;
 mod context;
 pub mod definition;
+pub mod fuzz;
 pub mod highlight;
 pub mod hints;
 pub mod hover;
