@@ -397,7 +397,7 @@ fn said_of(client: &mut Client) -> [Value; 4] {
 #[test]
 fn random_edits_leave_what_a_new_server_knows() {
     /// Edits, times `SIEBEN_TIMES`.
-    const EDITS: u64 = 500;
+    const EDITS: u64 = 10_000;
     let times = std::env::var("SIEBEN_TIMES").ok().and_then(|times| times.parse().ok()).unwrap_or(1);
     let mut client = plant("edits");
     client.diagnostics("main.awl", Some(1));
@@ -443,7 +443,7 @@ fn random_edits_leave_what_a_new_server_knows() {
             }
         };
         client.change("main.awl", i32::try_from(edit + 1).expect("few edits"), &change);
-        if edit % 50 == 0 {
+        if edit % 250 == 0 {
             let mut fresh = plant("edits-fresh");
             fresh.change("main.awl", 2, &json!([{ "text": text }]));
             assert_eq!(said_of(&mut client), said_of(&mut fresh), "after {edit} edits: {text}");
