@@ -125,6 +125,17 @@ fn the_past_is_shown_as_it_was_and_who_wrote_it() {
     assert_eq!(rows, ["scan,MW10,M60.0", "2,16#0002,0", "3,16#0003,0", "4,16#0004,0"], "{table}");
 }
 
+#[test]
+fn a_reset_without_effect_wrote_nothing() {
+    let program = "ORGANIZATION_BLOCK OB 1\nBEGIN\nSET;\nS M 1.0;\nCLR;\nR M 1.0;\nEND_ORGANIZATION_BLOCK\n";
+    let folder = Folder::with(&[("main.awl", program)]);
+    let serving = Serving::usual(&folder);
+    let mut page = serving.page("");
+    let scan = page.until("a scan", |message| message["n"].as_u64() > Some(2))["n"].clone();
+    page.say(&json!({ "t": "who", "id": "w", "name": "M 1.0", "scan": scan }));
+    assert_eq!(page.until("who wrote it", |message| message["t"] == "who")["line"], 4);
+}
+
 /// Two instances of a function block, each with its own constant; OB 1 leaves a statement out as long as M 50.0 is 1.
 const INSTANCES: &str = "FUNCTION_BLOCK FB 1\nVAR_INPUT\n  step : INT;\nEND_VAR\nVAR\n  sum : INT;\nEND_VAR\nBEGIN\nL #sum;\nL #step;\n+I;\nT #sum;\n\
                          END_FUNCTION_BLOCK\nDATA_BLOCK DB 1\nFB 1\nBEGIN\nEND_DATA_BLOCK\nDATA_BLOCK DB 2\nFB 1\nBEGIN\nEND_DATA_BLOCK\n\

@@ -13,6 +13,7 @@ use sieben_sim::timing_diagram::svg;
 use sieben_sim::trace::{CHANNELS_MAX, Keep, Memory, Origin, Recorder, TraceError, csv, vcd};
 use sieben_workspace::Refusal;
 use sieben_workspace::past::{Gone, Seen, Viewer};
+use sieben_workspace::project::Build;
 
 use crate::hub::{Hub, item_of};
 use crate::live::message::{History, Who};
@@ -129,14 +130,24 @@ pub(crate) fn history(hub: &Hub, viewer: &mut Viewer, asked: &History) -> Result
 /// Finds the last statement of a scan that stored to a name.
 struct Writer<'n> {
     name: &'n Name,
+    /// What the compiler knows of the program, where that was kept.
+    build: Option<&'n Build>,
     /// What stores is told before the statement has ended.
     is_pending: bool,
     place: Option<FaultPlace>,
 }
 
+impl Writer<'_> {
+    /// Whether a statement would have stored something if its RLO had been 1.
+    fn is_idle(&self, event: &StatementEvent) -> bool {
+        let body = self.build.and_then(|build| build.compiled.bodies.get(&event.place.block));
+        event.before.rlo & 1 == 0 && body.is_some_and(|body| body.stores_if_rlo().contains(&event.place.statement))
+    }
+}
+
 impl Tracer for Writer<'_> {
     fn statement(&mut self, _: &Machine, event: &StatementEvent) {
-        if std::mem::take(&mut self.is_pending) {
+        if std::mem::take(&mut self.is_pending) && !self.is_idle(event) {
             self.place = Some(event.place);
         }
     }
@@ -164,7 +175,7 @@ pub(crate) fn who(hub: &Hub, viewer: &mut Viewer, asked: &Who, language: Languag
     while found.is_none() && to >= least {
         let from = to.saturating_sub(WRITERS_STEP - 1).max(least);
         for scan in from..=to {
-            let mut writer = Writer { name: &name, is_pending: false, place: None };
+            let mut writer = Writer { name: &name, build: facts.build.as_deref(), is_pending: false, place: None };
             match viewer.traced(hub.desk.past(), scan, &mut writer) {
                 // The oldest scans are forgotten while they are looked for.
                 Ok(_) | Err(Gone::NotKept) => {}

@@ -42,12 +42,8 @@ impl Client {
         for place in places {
             match place.connect() {
                 Ok(socket) => {
-                    let stream = UnixStream::from(socket);
-                    let set = stream.set_read_timeout(Some(ANSWER_WAIT)).and_then(|()| stream.set_write_timeout(Some(ANSWER_WAIT)));
-                    return match set {
-                        Ok(()) => Ok(Self { stream: BufReader::new(stream), number: 0 }),
-                        Err(error) => Err(silent(&error)),
-                    };
+                    let client = Self { stream: BufReader::new(UnixStream::from(socket)), number: 0 };
+                    return client.wait_at_most(ANSWER_WAIT).map(|()| client).map_err(|error| silent(&error));
                 }
                 Err(error) if error.kind() == io::ErrorKind::PermissionDenied => refused = Some((place, error)),
                 // No run is there, or a killed one left its socket.
@@ -68,6 +64,15 @@ impl Client {
                 if has_demo { failure.help("the demo runs: `sieben top demo`") } else { failure }
             }
         })
+    }
+
+    /// Waits no longer for an answer from now on.
+    ///
+    /// # Errors
+    /// The system refuses it.
+    pub(crate) fn wait_at_most(&self, wait: Duration) -> io::Result<()> {
+        let stream = self.stream.get_ref();
+        stream.set_read_timeout(Some(wait)).and_then(|()| stream.set_write_timeout(Some(wait)))
     }
 
     /// Asks and waits for the answer. `verb` and `fields` are those of the request.

@@ -26,6 +26,8 @@ pub(super) struct Client {
     pub(super) pulls: bool,
     /// It can watch files.
     pub(super) watches: bool,
+    /// It takes the word that its hints are old.
+    pub(super) refreshes_hints: bool,
     /// It shows progress.
     pub(super) progress: bool,
     /// It takes lists of links with the place that they come from.
@@ -112,6 +114,7 @@ impl Client {
             },
             pulls: options.get("pullDiagnostics").and_then(Value::as_bool).unwrap_or_default(),
             watches: can("workspace/didChangeWatchedFiles/dynamicRegistration"),
+            refreshes_hints: can("workspace/inlayHint/refreshSupport"),
             progress: can("window/workDoneProgress"),
             links: can("textDocument/definition/linkSupport"),
             snippets: can("textDocument/completion/completionItem/snippetSupport"),

@@ -295,6 +295,13 @@ impl Folders {
         self.roots.iter_mut().flat_map(|root| &mut root.programs).find(has_it).map(|program| program.snapshot(documents))
     }
 
+    /// Where the program of a text is run: the folder of its `sieben.toml`, or else the folder that the client has named.
+    pub(super) fn home_of(&self, place: &Place) -> Option<PathBuf> {
+        let path = place.path()?;
+        let root = self.roots.iter().find(|root| root.holds(path))?;
+        path.parent().and_then(home_of).or_else(|| Some(root.path.clone()))
+    }
+
     /// The texts of all programs.
     pub(super) fn snapshots(&mut self, documents: &Documents) -> Vec<Snapshot> {
         let all = self.roots.iter_mut().flat_map(|root| &mut root.programs).chain(self.alone.values_mut());

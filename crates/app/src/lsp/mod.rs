@@ -10,6 +10,7 @@ mod diagnostics;
 mod documents;
 mod executing;
 mod folders;
+mod live;
 mod naming;
 mod notifications;
 mod parent;

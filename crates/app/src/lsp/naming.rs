@@ -9,8 +9,10 @@ use serde_json::{Value, json};
 use sieben_ide::editing::completion::Kind;
 use sieben_ide::editing::references::Access;
 use sieben_ide::editing::{self, Bytes, Edit, Snapshot, TextId, calls, definition, hints, references};
+use sieben_model::mnemonics::Mnemonics;
 
 use super::diagnostics::uri_of;
+use super::live;
 use super::positions::{Columns, Lines, length};
 use super::server::Server;
 use super::uri::{self, Place};
@@ -269,11 +271,19 @@ pub(super) fn linked(server: &mut Server, uri: &str, position: Position) -> Answ
 pub(super) fn inlay_hints(server: &mut Server, uri: &str, range: Range) -> Answer {
     let Some(asked) = Asked::of(server, uri)? else { return Ok(Value::Null) };
     let hints = hints::hints(&asked.snapshot, asked.text, asked.bytes(range));
-    let shown = hints.iter().map(|hint| {
+    let names = hints.iter().filter_map(|hint| Some(hint.operand?.spell(Mnemonics::English))).collect();
+    let mut values = live::values(server, &asked.place, names).into_iter();
+    let shown = hints.iter().filter_map(|hint| {
+        let value = hint.operand.and_then(|_| values.next().flatten());
+        let label = match (hint.label.as_str(), value) {
+            ("", None) => return None,
+            (label, None) => label.to_owned(),
+            (label, Some(value)) => format!("{label} = {value}").trim_start().to_owned(),
+        };
         let position = asked.range(Bytes { start: hint.offset, end: hint.offset }).start;
         let kind = if hint.kind == hints::Kind::Parameter { 2 } else { 1 };
         let left = hint.kind != hints::Kind::Parameter;
-        json!({ "position": position, "label": hint.label, "kind": kind, "paddingLeft": left, "paddingRight": !left })
+        Some(json!({ "position": position, "label": label, "kind": kind, "paddingLeft": left, "paddingRight": !left }))
     });
     Ok(shown.collect())
 }

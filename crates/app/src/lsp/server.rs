@@ -11,6 +11,7 @@ use super::client::{self, Client, Settings};
 use super::diagnostics::{self, Collecting, Told};
 use super::documents::{Document, Documents};
 use super::folders::Folders;
+use super::live::{self, Live};
 use super::positions::Columns;
 use super::transport::{Cancelled, Event, Outbox};
 use super::uri::Place;
@@ -40,6 +41,7 @@ pub(super) struct Server {
     pub(super) client: Client,
     pub(super) documents: Documents,
     pub(super) folders: Folders,
+    pub(super) live: Live,
     pub(super) outbox: Outbox,
     pub(super) events: SyncSender<Event>,
     cancelled: Cancelled,
@@ -65,6 +67,7 @@ impl Server {
             client: Client::of(&Value::Null),
             documents: Documents::default(),
             folders: Folders::new(super::programs::usual()),
+            live: Live::default(),
             outbox,
             events,
             cancelled,
@@ -80,13 +83,17 @@ impl Server {
     /// Answers until the client is gone or says `exit`.
     pub(super) fn run(&mut self, events: &Receiver<Event>) -> Exit {
         loop {
-            let event = match self.due {
+            let event = match self.due.into_iter().chain(self.live.due).min() {
                 None => events.recv().ok(),
                 Some(due) => match events.recv_timeout(due.saturating_duration_since(Instant::now())) {
                     Ok(event) => Some(event),
                     Err(RecvTimeoutError::Disconnected) => None,
-                    Err(RecvTimeoutError::Timeout) => {
+                    Err(RecvTimeoutError::Timeout) if self.due == Some(due) => {
                         self.tell();
+                        continue;
+                    }
+                    Err(RecvTimeoutError::Timeout) => {
+                        live::look_again(self);
                         continue;
                     }
                 },
@@ -133,7 +140,7 @@ impl Server {
             (Stage::Ends, _) => self.answer(id, Err(refused(ErrorCode::InvalidRequest, "nothing comes after `shutdown` but `exit`"))),
             (Stage::Runs, "shutdown") => {
                 self.stage = Stage::Ends;
-                self.due = None;
+                (self.due, self.live.due) = (None, None);
                 self.answer(id, Ok(Value::Null));
             }
             (Stage::Runs, _) => {

@@ -15,6 +15,8 @@ const DEADLINE: Duration = Duration::from_secs(60);
 /// A client with its server and a folder of its own.
 pub(crate) struct Client {
     pub(crate) folder: PathBuf,
+    /// The folder goes with the client.
+    goes: bool,
     child: Child,
     input: Option<ChildStdin>,
     incoming: Receiver<Value>,
@@ -27,16 +29,28 @@ impl Client {
     /// Starts a server in a new folder with these files; the client says that it can do this.
     pub(crate) fn start(name: &str, files: &[(&str, &str)], capabilities: &Value) -> Self {
         let mut client = Self::silent(name, files);
-        let folder = client.uri("");
-        let answer = client.ask(
+        client.hello(capabilities);
+        client
+    }
+
+    /// Starts a server in a folder that is there, and stays there.
+    pub(crate) fn in_folder(folder: &Path, capabilities: &Value) -> Self {
+        let mut client = Self::served(std::fs::canonicalize(folder).expect("it is there"));
+        client.hello(capabilities);
+        client
+    }
+
+    /// Says what the client can do.
+    pub(crate) fn hello(&mut self, capabilities: &Value) {
+        let folder = self.uri("");
+        let answer = self.ask(
             "initialize",
             json!({
                 "processId": null, "rootUri": folder.trim_end_matches('/'), "capabilities": capabilities,
             }),
         );
         assert_eq!(answer["result"]["serverInfo"]["name"], "sieben", "{answer}");
-        client.tell("initialized", json!({}));
-        client
+        self.tell("initialized", json!({}));
     }
 
     /// Starts a server that is not spoken to yet.
@@ -50,6 +64,12 @@ impl Client {
             std::fs::write(path, text).expect("the file can be written");
         }
         let folder = std::fs::canonicalize(folder).expect("it is there");
+        let mut client = Self::served(folder);
+        client.goes = true;
+        client
+    }
+
+    fn served(folder: PathBuf) -> Self {
         let mut child = Command::new(env!("CARGO_BIN_EXE_sieben"))
             .args(["lsp", "--stdio"])
             .stdin(Stdio::piped())
@@ -80,7 +100,7 @@ impl Client {
                 }
             }
         });
-        Self { folder, child, input, incoming, told: Vec::new(), number: 0 }
+        Self { folder, goes: false, child, input, incoming, told: Vec::new(), number: 0 }
     }
 
     /// The URI of a file of the folder.
@@ -193,7 +213,9 @@ impl Drop for Client {
     fn drop(&mut self) {
         let _ = self.child.kill();
         let _ = self.child.wait();
-        let _ = std::fs::remove_dir_all(&self.folder);
+        if self.goes {
+            let _ = std::fs::remove_dir_all(&self.folder);
+        }
     }
 }
 

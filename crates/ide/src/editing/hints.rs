@@ -14,6 +14,8 @@ pub enum Kind {
     Symbol,
     /// The name of a parameter that is given by position.
     Parameter,
+    /// Nothing by itself: an address without a symbol, of which only the value is worth a hint.
+    Value,
 }
 
 /// A hint.
@@ -50,11 +52,13 @@ pub fn hints(snapshot: &Snapshot, text: TextId, range: Bytes) -> Vec<Hint> {
         let is_quoted = snapshot.slice(text, Bytes { start: end, end: end + 1 }) == "\"";
         let offset = end + usize::from(is_quoted);
         match (one.written, names.resolve(number, index as u32)) {
-            (Written::Operand(operand), _) => {
-                if let Some(symbol) = names.symbol_of(operand) {
-                    hints.push(Hint { offset, label: format!("\"{}\"", symbol.name), kind: Kind::Symbol, operand: value_of(operand) });
+            (Written::Operand(operand), _) => match (names.symbol_of(operand), value_of(operand)) {
+                (Some(symbol), value) => {
+                    hints.push(Hint { offset, label: format!("\"{}\"", symbol.name), kind: Kind::Symbol, operand: value });
                 }
-            }
+                (None, Some(_)) => hints.push(Hint { offset, label: String::new(), kind: Kind::Value, operand: value_of(operand) }),
+                (None, None) => {}
+            },
             (Written::Global(_) | Written::Plain(_), Some(target)) => {
                 let is_symbol = match target {
                     DefId::Block(block) => names.symbol_of(Operand::Block(block)).is_some(),
