@@ -252,6 +252,18 @@ fn an_unknown_name_in_a_test_file_is_a_warning_for_the_server_and_for_check() {
 }
 
 #[test]
+fn lines_of_a_scenario_that_are_not_understood_are_told() {
+    let mut client = plant("scenario");
+    client.open("plant.scenario", "// fine\nscan 3\nnonsense\n");
+    let found = client.diagnostics("plant.scenario", Some(1));
+    let lines: Vec<Option<u64>> = found.iter().map(|one| one["range"]["start"]["line"].as_u64()).collect();
+    assert_eq!((codes(&found).first().map(String::as_str), lines.last().copied().flatten()), (Some("P6260"), Some(2)), "{found:?}");
+    client.change("plant.scenario", 2, &json!([{ "text": "// fine\nscan 3\n" }]));
+    assert_eq!(client.diagnostics("plant.scenario", Some(2)), Vec::<Value>::new());
+    assert_eq!(client.shut_down(), Some(0));
+}
+
+#[test]
 fn a_word_is_explained_and_completed() {
     let mut client = plant("words");
     let hover = client.at("textDocument/hover", "main.awl", &marked(MAIN, "Pump\";"))["result"].clone();

@@ -8,11 +8,13 @@ use sieben_lang::encoding::MAX_SOURCE_BYTES;
 use sieben_model::diagnostic::Severity;
 use sieben_model::problems::Problem;
 use sieben_model::source::{FileId, Sources, Span};
+use sieben_sim::scenario::Scenario;
 use sieben_workspace::finding::{Finding, Origin, Texts, help_of};
 
 use super::documents::{Document, Documents};
 use super::positions::{Columns, Lines};
 use super::uri::{self, Place};
+use crate::paths;
 
 /// What clients call the origin of a diagnostic.
 const SOURCE: &str = "sieben";
@@ -46,14 +48,29 @@ pub(super) struct Collecting<'a> {
 }
 
 impl<'a> Collecting<'a> {
-    /// With nothing yet but what is too large.
+    /// With what is too large, and open scenarios.
     pub(super) fn new(telling: &'a Telling, documents: &'a Documents) -> Self {
         let mut told = Told::new();
         for (place, _) in documents.iter().filter(|(_, document)| document.is_too_large()) {
             let message = format!("this text is larger than {} MiB and is not looked at", MAX_SOURCE_BYTES >> 20);
             told.entry(place.clone()).or_default().push(whole(Problem::P1104, Severity::Error, &message, telling));
         }
-        Self { telling, documents, told, homeless: Vec::new() }
+        let mut collecting = Self { telling, documents, told, homeless: Vec::new() };
+        let is_scenario = |place: &Place| place.path().is_some_and(paths::is_scenario);
+        for (place, document) in documents.iter().filter(|(place, document)| is_scenario(place) && !document.is_too_large()) {
+            collecting.scenario(place, document);
+        }
+        collecting
+    }
+
+    /// Adds the lines of an open scenario that are not understood.
+    fn scenario(&mut self, place: &Place, document: &Document) {
+        for error in Scenario::parse(document.text()).err().into_iter().flatten() {
+            let (start, end) = document.lines().bytes(document.text(), error.line.saturating_sub(1));
+            let mut told = whole(Problem::P6260, Severity::Error, &error.message, self.telling);
+            told["range"] = json!(document.lines().range(document.text(), start, end, self.telling.columns));
+            self.push(place.clone(), told);
+        }
     }
 
     /// Adds what is wrong with the texts of a folder, or with one text that belongs to none.
