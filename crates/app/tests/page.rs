@@ -113,6 +113,11 @@ fn the_past_is_shown_as_it_was_and_who_wrote_it() {
     let expected: Vec<Value> = (newest - 9..=newest).map(|scan| json!([scan, scan as f64])).collect();
     assert_eq!(history["channels"]["MW 10"], json!(expected), "{history}");
     assert_eq!(history["channels"]["M 60.0"], json!([[newest - 9, 0.0]]));
+    let times = history["times"].as_array().expect("scans with their times");
+    let is_of = |time: Option<&Value>, scan: u64| {
+        time.is_some_and(|time| time[0].as_u64() == Some(scan) && time[1].as_u64() >= Some((scan - 1) * 10_000))
+    };
+    assert!(is_of(times.first(), newest - 9) && is_of(times.last(), newest), "{history}");
     page.say(&json!({ "t": "who", "id": "w", "name": "MW 10", "scan": newest - 20 }));
     let who = page.until("who wrote it", |message| message["t"] == "who");
     assert_eq!((who["block"].as_str(), who["line"].as_u64(), who["scan"].as_u64()), (Some("OB1"), Some(8), Some(newest - 20)), "{who}");

@@ -4,9 +4,10 @@ use serde_json::{Value as Json, json};
 use sieben_cpu::Station;
 use sieben_engine::{FaultPlace, Machine, StatementEvent, Stored, Tracer};
 use sieben_lang::reason::Language;
+use sieben_model::format::{Figure, Format};
 use sieben_model::item::Item;
 use sieben_model::problems::Problem;
-use sieben_model::value::Value;
+use sieben_model::value::{Kind, Value};
 use sieben_sim::names::{Name, Shown};
 use sieben_sim::timing_diagram::Options;
 use sieben_sim::timing_diagram::svg;
@@ -23,6 +24,8 @@ use crate::live::program::word;
 const SCANS_MAX: u64 = 20_000;
 /// Points that all channels of an answer have together at most.
 const POINTS_MAX: usize = 10_000;
+/// Scans of an answer whose times are said at most, and the last one: those between are on lines between them.
+const TIMES_MAX: usize = 500;
 /// Points that are kept of a group of them.
 const GROUP_POINTS: usize = 4;
 /// Scans that are looked through at a time for who wrote a value, from the newest on.
@@ -39,8 +42,23 @@ fn number(value: &Value) -> Option<f64> {
         Shown::Number(number) => Some(number as f64),
         Shown::Real(number) => Some(f64::from(number)),
         Shown::LongReal(number) => Some(number),
+        Shown::TimeLeft(word) => milliseconds(word),
+        Shown::Formatted(shown) => match (shown.figure, &value.kind) {
+            (Some(Figure::Whole(number)), _) => Some(number as f64),
+            (Some(Figure::Real(number)), _) => Some(f64::from(number)),
+            (Some(Figure::LongReal(number)), _) => Some(number),
+            (Some(Figure::OfBase { count, base_ms }), _) => Some(f64::from(count) * f64::from(base_ms)),
+            // Bits that are no number in this format.
+            (None, Kind::Formatted(Format::Bcd | Format::S5Time | Format::Counter, _)) => None,
+            (None, _) => value.content.bits().map(|bits| bits as f64),
+        },
         _ => value.content.bits().map(|bits| bits as f64),
     }
+}
+
+/// What a timer has left.
+fn milliseconds(word: u16) -> Option<f64> {
+    sieben_model::literal::s5time_milliseconds(word).map(|milliseconds| milliseconds as f64)
 }
 
 /// Where values of the past became others.
@@ -49,12 +67,15 @@ struct Changes<'n> {
     last: Vec<Option<f64>>,
     points: Vec<Vec<(u64, f64)>>,
     seen: Option<(u64, u64)>,
+    /// Scans with their times, without those that a line between their neighbours has as well.
+    times: Vec<(u64, u64)>,
 }
 
 impl Changes<'_> {
     fn look(&mut self, Seen { mark, cpu }: &Seen<'_>) {
         let first = self.seen.map_or(mark.scan, |(first, _)| first);
         self.seen = Some((first, mark.scan));
+        add_time(&mut self.times, (mark.scan, mark.time_us));
         for ((item, last), points) in self.items.iter().zip(&mut self.last).zip(&mut self.points) {
             let Some(item) = item else { continue };
             let value = cpu.read_items(std::slice::from_ref(item)).into_iter().next().and_then(Result::ok);
@@ -65,6 +86,16 @@ impl Changes<'_> {
             *last = now;
         }
     }
+}
+
+/// Adds a scan with its time; the one before goes where it is on the line from the one before that to this.
+fn add_time(times: &mut Vec<(u64, u64)>, (scan, us): (u64, u64)) {
+    if let [.., one, other] = **times
+        && other.1.saturating_sub(one.1) * (scan - other.0) == us.saturating_sub(other.1) * (other.0 - one.0)
+    {
+        times.pop();
+    }
+    times.push((scan, us));
 }
 
 /// As few points as are wanted: of each group the first, the least, the greatest and the last one.
@@ -110,7 +141,8 @@ pub(crate) fn history(hub: &Hub, viewer: &mut Viewer, asked: &History) -> Result
     let items: Vec<Option<Item>> = asked.channels.iter().map(|name| item_of(name, &program)).collect();
     let to = asked.to.min(hub.desk.past().range().map_or(0, |(_, newest)| newest.scan));
     let from = asked.from.max(to.saturating_sub(SCANS_MAX - 1));
-    let mut changes = Changes { items: &items, last: vec![None; items.len()], points: vec![Vec::new(); items.len()], seen: None };
+    let mut changes =
+        Changes { items: &items, last: vec![None; items.len()], points: vec![Vec::new(); items.len()], seen: None, times: Vec::new() };
     let look = |seen: Seen<'_>| {
         changes.look(&seen);
         true
@@ -124,7 +156,11 @@ pub(crate) fn history(hub: &Hub, viewer: &mut Viewer, asked: &History) -> Result
         .into_iter()
         .map(|points| -> Json { thinned(points, most).into_iter().map(|(scan, value)| json!([scan, value])).collect() });
     let channels: serde_json::Map<String, Json> = asked.channels.iter().cloned().zip(points).collect();
-    Ok(json!({ "t": "history", "id": asked.id, "from": first, "to": last, "channels": channels }))
+    let every = changes.times.len().div_ceil(TIMES_MAX).max(1);
+    let end = changes.times.last().copied();
+    let mut times: Vec<(u64, u64)> = changes.times.into_iter().step_by(every).collect();
+    times.extend(end.filter(|end| times.last() != Some(end)));
+    Ok(json!({ "t": "history", "id": asked.id, "from": first, "to": last, "times": times, "channels": channels }))
 }
 
 /// Finds the last statement of a scan that stored to a name.
@@ -283,5 +319,33 @@ mod tests {
         assert_eq!(thinned(points[..50].to_vec(), 100), points[..50]);
         let few: Vec<u64> = thinned(points, 1).into_iter().map(|(scan, _)| scan).collect();
         assert_eq!(few, [0, 5_555, 9_999], "the first is the least one, too");
+    }
+
+    #[test]
+    fn times_on_a_line_are_left_out() {
+        let mut times = Vec::new();
+        // The CPU stands for a second after scan 3, and each scan after scan 5 takes 20 ms.
+        for scan in [(1, 0), (2, 10), (3, 20), (4, 1_030), (5, 1_040), (6, 1_060), (7, 1_080), (8, 1_100)] {
+            add_time(&mut times, scan);
+        }
+        assert_eq!(times, [(1, 0), (3, 20), (4, 1_030), (5, 1_040), (8, 1_100)]);
+    }
+
+    #[test]
+    fn a_value_is_the_number_that_it_is_in_its_format() {
+        let of = |format, width, bits| number(&Value::bits(Kind::Formatted(format, Box::new(Kind::Bits(width))), bits));
+        for (format, width, bits, wanted) in [
+            (Format::Real, 32, u64::from(1.5_f32.to_bits()), Some(1.5)),
+            (Format::Int, 16, 0xFFF9, Some(-7.0)),
+            (Format::Bcd, 16, 0x0142, Some(142.0)),
+            (Format::Bcd, 16, 0x00FA, None),
+            (Format::S5Time, 16, 0x0250, Some(2_500.0)),
+            (Format::Time, 32, 2_500, Some(2_500.0)),
+            (Format::Hex, 16, 0x0142, Some(322.0)),
+            (Format::Bool, 1, 1, Some(1.0)),
+        ] {
+            assert_eq!(of(format, width, bits), wanted, "{format:?} of {bits:X}");
+        }
+        assert_eq!(number(&Value::bits(Kind::TimeLeft, 0x0250)), Some(2_500.0));
     }
 }

@@ -22,6 +22,13 @@ use sieben_workspace::Refusal;
 use sieben_workspace::places::Places;
 use sieben_workspace::project::Build;
 
+/// The places of a program, with addresses as all that a page is sent has them: the page itself writes them in the mnemonics that its user wants.
+fn places(build: &Build) -> Places<'_> {
+    let mut places = Places::new(build);
+    places.mnemonics = Mnemonics::English;
+    places
+}
+
 /// Answers from what the command line prints too.
 #[derive(Default)]
 pub(crate) struct Answers {
@@ -46,11 +53,11 @@ impl Reference for Answers {
     }
 
     fn assignments(&self, build: &Build) -> Value {
-        assignments::json(&Places::new(build), &AssignmentList::new(&CrossReference::new(&build.compiled)))
+        assignments::json(&places(build), &AssignmentList::new(&CrossReference::new(&build.compiled)))
     }
 
     fn structure(&self, build: &Build) -> Value {
-        structure::json(build, &Places::new(build), &CallStructure::new(&build.compiled))
+        structure::json(build, &places(build), &CallStructure::new(&build.compiled))
     }
 
     fn flow(&self, build: &Arc<Build>, of: (BlockId, u32, View), after: &mut dyn Iterator<Item = (u32, Registers)>) -> Value {

@@ -9,7 +9,6 @@ use sieben_model::address::Operand;
 use sieben_model::mnemonics::Mnemonics;
 use sieben_model::problems::Problem;
 use sieben_workspace::Refusal;
-use sieben_workspace::places::Places;
 use sieben_workspace::project::Build;
 
 /// Each symbol with its address, type, comment, and in how many places it is used.
@@ -29,7 +28,7 @@ pub(super) fn symbols(build: &Build) -> Value {
 
 /// Where a name is used; all of the program without one.
 pub(super) fn of(build: &Build, name: Option<&str>) -> Result<Value, Refusal> {
-    let (places, references) = (Places::new(build), CrossReference::new(&build.compiled));
+    let (places, references) = (super::places(build), CrossReference::new(&build.compiled));
     let entry = |(target, uses): (&Target, &[Reference])| {
         json!({
             "address": target.spell(places.mnemonics), "symbol": places.symbol(target), "indirect": matches!(target, Target::Indirect(_)),

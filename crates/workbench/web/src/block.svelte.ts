@@ -34,7 +34,7 @@ export class BlockModel {
       let index = 0;
       this.statements = stl.networks.flatMap((network) => network.statements.map((statement) => ({ ...statement, network: network.n, index: index++ })));
       this.stl = stl;
-      if (this.instance === '') this.instance = stl.instances[0] ?? '';
+      if (!stl.instances.includes(this.instance)) this.instance = stl.instances[0] ?? '';
       const count = this.statements.length;
       if (count > 0) this.range(0, Math.min(count, ROWS) - 1, true);
       const selected = page.selected;

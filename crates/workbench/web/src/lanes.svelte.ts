@@ -8,6 +8,8 @@ const POINTS = 2000;
 export class Lanes {
   /** For each channel where it changed: scan, value. */
   points = $state.raw<Record<string, [number, number][]>>({});
+  /** Scans with their times; those between are on lines between them. */
+  #times = $state.raw<[number, number][]>([]);
   /** What is known: from, to. */
   from = $state(0);
   to = $state(-1);
@@ -19,7 +21,7 @@ export class Lanes {
   async cover(channels: string[], from: number, to: number): Promise<void> {
     if (this.#asking || channels.length === 0 || page.link !== 'up' || to < 0) return;
     const known = channels.join() === this.#channels.join() && this.#hash === page.programHash && this.to <= page.newest;
-    const a = Math.max(page.oldest, from);
+    const a = Math.max(page.oldest, from, to - KEEP / 2);
     let ask: [number, number];
     if (!known || this.to < 0 || a > this.to + 1) ask = [a, to];
     else if (a < this.from) ask = [a, this.from - 1];
@@ -45,10 +47,13 @@ export class Lanes {
         this.from = Math.min(this.from, ask[0]);
         this.to = Math.max(this.to, end);
       } else [this.from, this.to] = [ask[0], end];
+      const times = before ? [...this.#times, ...got.times].sort((one, other) => one[0] - other[0]) : got.times;
+      this.#times = times.filter(([scan], i) => scan !== times[i - 1]?.[0]);
       if (this.to - this.from > KEEP) {
         this.from = this.to - KEEP / 2;
         for (const name of channels) next[name] = cut(next[name] ?? [], this.from);
       }
+      if ((this.#times[0]?.[0] ?? 0) < this.from) this.#times = cut(this.#times, this.from);
       this.#channels = channels;
       this.#hash = page.programHash;
       this.points = next;
@@ -57,10 +62,42 @@ export class Lanes {
     }
   }
 
+  /** When a scan was, in microseconds of the CPU. */
+  us(scan: number): number {
+    return between(this.#anchored(), 0, scan, page.scanUs);
+  }
+
+  /** The scan of a time; between two scans a fraction. */
+  scan(us: number): number {
+    return between(this.#anchored(), 1, us, 1 / page.scanUs);
+  }
+
+  /** What is not known yet is as far from the newest scan as scans in their cycle are. */
+  #anchored(): [number, number][] {
+    const times = this.#times;
+    return page.newest > (times.at(-1)?.[0] ?? -1) ? [...times, [page.newest, page.newestUs]] : times;
+  }
+
   /** The value of a channel in a scan, if it is known. */
   at(name: string, scan: number): number | undefined {
     return valueAt(this.points[name] ?? [], scan);
   }
+}
+
+/** The other coordinate of a line through points, for one that has this; outside of them the line goes on with a slope. */
+function between(points: [number, number][], by: 0 | 1, at: number, slope: number): number {
+  let low = 0;
+  let high = points.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if ((points[middle]?.[by] ?? Infinity) <= at) low = middle + 1;
+    else high = middle;
+  }
+  const [a, b] = [points[low - 1], points[low]];
+  const to = by === 0 ? 1 : 0;
+  if (a !== undefined && b !== undefined) return a[to] + ((at - a[by]) / (b[by] - a[by])) * (b[to] - a[to]);
+  const one = a ?? b;
+  return one === undefined ? 0 : one[to] + (at - one[by]) * slope;
 }
 
 /** Drops what is older, and keeps the value that held then. */

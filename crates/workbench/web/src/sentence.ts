@@ -1,4 +1,5 @@
 /** What just changed, in one sentence: at most three changes, the cause first. */
+import { page } from './state.svelte';
 import type { Change } from './wire';
 import { count, t } from './words.svelte';
 
@@ -34,7 +35,7 @@ export function sentence(changes: Change[], scan: number): Part[] {
       const cause = order(before) === 0 && order(change) > 0;
       parts.push({ text: cause ? t('so') : i === named.length - 1 && together.length <= NAMED ? t('and') : t('comma') });
     }
-    parts.push({ text: change.name === '' ? change.address : change.name, b: true });
+    parts.push({ text: change.name === '' ? page.spell(change.address) : change.name, b: true });
     parts.push({ text: ` ${verb(change)}${change.by !== undefined ? ` (${t('placeNetwork', change.by.network)})` : ''}` });
   });
   if (together.length > NAMED) parts.push({ text: t('andMore', together.length - NAMED) });

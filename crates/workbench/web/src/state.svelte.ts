@@ -1,7 +1,8 @@
 /** The one model of the page: it shows one scan; everything that is drawn is read from here. */
 import { SvelteMap } from 'svelte/reactivity';
+import { german } from './names';
 import { rest, takeToken, speak, Problem, type BlockHead, type PlantHead, type SymbolRow } from './rest';
-import { chooseLanguage, speech, t } from './words.svelte';
+import { chooseLanguage, setLanguage, speech, t } from './words.svelte';
 import { Wire, type Change, type Client, type Cycle, type DiagnosticEvent, type Force, type FromServer, type History, type Language, type Leds, type Mode, type PlantLook, type Row, type Scan, type Subscription, type Unit, type Value, type Welcome, type Who } from './wire';
 
 export type State = 'run' | 'paused' | 'stepping' | 'past' | 'stop' | 'startup' | 'offline' | 'readonly';
@@ -13,6 +14,15 @@ const CHANGES = 200;
 const ANSWER_MS = 5000;
 /** Values are stale when they are older than this. */
 const STALE_MS = 2000;
+/** What the server takes: bytes of a name, names, bytes of all of them in a message. */
+const NAME_BYTES = 200;
+const NAMES = 2000;
+const NAMES_BYTES = 60_000;
+
+const encoder = new TextEncoder();
+const bytes = (text: string): number => encoder.encode(text).length;
+/** Whether the server takes this as a name: a longer one would end the connection. */
+export const isShort = (name: string): boolean => bytes(name) <= NAME_BYTES;
 
 export interface Selected {
   block: string;
@@ -75,7 +85,7 @@ class Page {
   toast = $state('');
   announcement = $state('');
   /** What the page was asked to open: palette, keys, force dialog. */
-  dialog = $state<'' | 'palette' | 'keys' | 'force'>('');
+  dialog = $state<'' | 'palette' | 'keys' | 'force' | 'token'>('');
   /** On narrow screens the reasons are in a drawer. */
   drawer = $state(false);
   forceWanted = $state('');
@@ -100,6 +110,8 @@ class Page {
   });
   /** For how many seconds one scan has been running; 0 while scans come as they should. */
   waits: number = $derived(this.link !== 'down' && this.clock - this.#freshAt > STALE_MS ? Math.floor((this.clock - this.#freshAt) / 1000) : 0);
+  /** Time from scan to scan: what is set, or where the scan is free about what it takes. */
+  scanUs: number = $derived(this.cycleUs || Math.max(1, Number((this.newestUs / Math.max(1, this.newest)).toPrecision(1))));
   offlineFor: number = $derived(this.lostAt === 0 ? 0 : Math.max(0, Math.round((this.clock - this.lostAt) / 1000)));
 
   #wire: Wire | null = null;
@@ -107,6 +119,7 @@ class Page {
   #questions = new Map<string, (answer: FromServer | null) => void>();
   #tagCounts = new Map<string, number>();
   #tagTimer = false;
+  #refused = false;
   #next = 0;
 
   start(): void {
@@ -127,7 +140,7 @@ class Page {
       this.spark = [...this.spark, this.cycle.last_us].slice(-24);
     });
     this.#wire = new Wire(url.toString(), {
-      opened: () => this.#send({ t: 'hello', v: 1, lang: speech.lang, mnemonics: this.mnemonics }),
+      opened: () => this.#hello(),
       message: (message) => this.#take(message),
       closed: (_wait, _why, since) => {
         if (this.link !== 'down') {
@@ -135,6 +148,8 @@ class Page {
           this.clock = performance.now();
           this.announce(t('connOffline'));
         }
+        // It cannot be seen from the end of a WebSocket why it was refused.
+        if (!this.#refused) void rest.info().catch((error: Problem) => error.status === 401 && (this.#refused = true) && (this.dialog = 'token'));
         this.link = 'down';
         for (const answer of this.#questions.values()) answer(null);
         this.#questions.clear();
@@ -173,9 +188,7 @@ class Page {
           this.project = message.project;
           this.tags.clear();
         }
-        this.selected = null;
-        this.changes = [];
-        this.#load();
+        this.#other();
         break;
       case 'event':
         this.say(message.text);
@@ -190,6 +203,7 @@ class Page {
     const known = this.programHash;
     if (this.lostAt > 0) this.say(t('backAgain', this.offlineFor));
     this.link = 'up';
+    this.#refused = false;
     this.lostAt = 0;
     this.project = message.project;
     this.cpu = message.cpu;
@@ -200,11 +214,24 @@ class Page {
     this.newest = message.newest;
     this.following = true;
     this.pos = undefined;
+    const said = this.mnemonics;
     if (localStorage.getItem('mnemonics') === null) this.mnemonics = message.mnemonics;
     this.programHash = message.program;
+    // Without a choice the mnemonics are those of the project, and sentences follow.
+    if (this.mnemonics !== said) this.#hello();
+    if (known !== message.program && known !== '') {
+      this.tags.clear();
+      this.#other();
+    } else if (this.blocks.length === 0) this.#load();
     for (const [id, entry] of this.#handlers) this.#subscribe(id, entry.subscription);
     this.#tagsNow();
-    if (known !== message.program || this.blocks.length === 0) this.#load();
+  }
+
+  /** Another program: nothing that was looked up of the one before holds. */
+  #other(): void {
+    this.selected = null;
+    this.changes = [];
+    this.#load();
   }
 
   #scan(message: Scan): void {
@@ -292,7 +319,8 @@ class Page {
 
   #tagsNow(): void {
     if (this.link !== 'up') return;
-    const names = [...this.#tagCounts.keys()];
+    let room = NAMES_BYTES;
+    const names = [...this.#tagCounts.keys()].filter((name) => isShort(name) && (room -= bytes(JSON.stringify(name)) + 1) > 0).slice(0, NAMES);
     if (names.length === 0) this.#send({ t: 'unsub', id: 'tags' });
     else this.#send({ t: 'sub', id: 'tags', what: 'tags', names });
   }
@@ -300,12 +328,12 @@ class Page {
   /** Nothing where the connection ended, or the server does not say. */
   history(from: number, to: number, channels: string[], points: number): Promise<History | null> {
     const id = this.id('h');
-    return this.#asks(id, { t: 'history', id, from, to, channels, points });
+    return this.#asks(id, { t: 'history', id, from, to, channels: channels.filter(isShort), points });
   }
 
   who(name: string): Promise<Who | null> {
     const id = this.id('w');
-    return this.#asks(id, { t: 'who', id, name, scan: this.n });
+    return isShort(name) ? this.#asks(id, { t: 'who', id, name, scan: this.n }) : Promise.resolve(null);
   }
 
   #asks<T extends FromServer>(id: string, question: Parameters<Wire['send']>[0]): Promise<T | null> {
@@ -387,13 +415,30 @@ class Page {
   setMnemonics(to: Language): void {
     this.mnemonics = to;
     localStorage.setItem('mnemonics', to);
-    this.#send({ t: 'hello', v: 1, lang: speech.lang, mnemonics: to });
+    this.#hello();
     this.#load();
+  }
+
+  setLanguage(to: Language): void {
+    setLanguage(to);
+    speak(to);
+    this.#hello();
+    this.#load();
+  }
+
+  /** How sentences shall be written. */
+  #hello(): void {
+    this.#send({ t: 'hello', v: 1, lang: speech.lang, mnemonics: this.mnemonics });
+  }
+
+  /** An address in the mnemonics that were chosen. */
+  spell(address: string): string {
+    return this.mnemonics === 'de' ? german(address) : address;
   }
 
   /** The symbol or the address of an address. */
   nameOf(address: string): string {
-    return this.symbols.find((s) => s.address === address)?.symbol ?? address;
+    return this.symbols.find((s) => s.address === address)?.symbol ?? this.spell(address);
   }
 }
 

@@ -189,6 +189,8 @@ export interface History {
   id: string;
   from: number;
   to: number;
+  /** Scans with their times in microseconds; those between are on lines between them. */
+  times: [number, number][];
   /** Where the value became another: scan, value; the first entry is of `from`. */
   channels: Record<string, [number, number][]>;
 }

@@ -54,3 +54,15 @@ time.sleep(20)
     await expect(id(page, 'clients').locator('tr', { hasText: 'S7' })).toHaveCount(0);
   });
 });
+
+test('why the CPU stands is said once, and a memory reset is no reason', async ({ page }) => {
+  await open(page, '#cpu');
+  await id(page, 'mode-stop').click();
+  await expect(id(page, 'event')).toContainText('Why the CPU stopped');
+  await expect(id(page, 'event-text')).toHaveText(/^\s*STOP by a programming device[^.]*\.\s*$/);
+  await id(page, 'mode-mres').click();
+  await expect(id(page, 'diag-1')).toContainText('memory reset');
+  await expect(id(page, 'event-text')).toContainText('memory reset done');
+  await expect(id(page, 'event')).not.toContainText('Why the CPU stopped');
+  await expect(id(page, 'event-text')).not.toContainText('programming device');
+});

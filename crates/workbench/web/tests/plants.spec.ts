@@ -111,7 +111,7 @@ test.describe('conveyor and training panel', () => {
     await is(page, 'right_end', 1);
     await is(page, 'right', 0);
     await expect(sentence(page)).toContainText('The part on the scale has');
-    expect(Number(await id(page, 'plant-weight').getAttribute('data-value'))).toBeGreaterThan(400);
+    await expect.poll(async () => Number(await id(page, 'plant-weight').getAttribute('data-value'))).toBeGreaterThan(400);
     await panel.getByTestId('plant-selector_0').click();
     await expect(sentence(page)).toContainText('delivered: 1');
     await page.keyboard.press('Tab');
@@ -136,7 +136,7 @@ test.describe('decade switches', () => {
     await id(page, 'plant-selector_0').click();
     await expect(id(page, 'plant-display')).toHaveAttribute('data-value', '4808');
     await is(page, 'lamp_0_1', 1);
-    await expect(sentence(page)).toHaveText('Inputs at 1: I 1.4, I 1.1, Multiply. The decade switches stand at 1234. Lamps on: OverflowLamp. The display shows 4808.');
+    await expect(sentence(page)).toHaveText('Inputs at 1: E 1.4, E 1.1, Multiply. The decade switches stand at 1234. Lamps on: OverflowLamp. The display shows 4808.');
     await expect(id(page, 'plant-lamp_0_1')).toHaveText('1');
     await id(page, 'plant-decade-3').getByRole('button', { name: 'one less' }).click();
     await expect(id(page, 'plant-thumbwheel')).toHaveAttribute('data-value', '0234');
@@ -245,7 +245,8 @@ test('the past is looked at, not operated; pictures show its scan', async ({ pag
 
 for (const example of ['dosing', 'tank', 'star-delta', 'conveyor', 'decade-switches', 'car-park', 'elevator', 'heater', 'packing', 'traffic-light'])
   test.describe(example, () => {
-    test.use({ example });
+    // Its interrupts come late on a machine that is busy.
+    test.use({ example, further: example === 'heater' ? ['--speed', '0.4x'] : [] });
     test('on a phone its picture fits, and what is pressed is large enough', async ({ page }) => {
       await page.setViewportSize({ width: 390, height: 844 });
       await open(page);

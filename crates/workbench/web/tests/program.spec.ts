@@ -148,3 +148,49 @@ test.describe('with Structured Text', () => {
     await expect(id(page, 'stl-row-161')).toHaveAttribute('aria-selected', 'true');
   });
 });
+
+test.describe('in the language and the mnemonics of a German', () => {
+  test('addresses have the mnemonics of the project, also in the palette', async ({ page }) => {
+    const hellos: string[] = [];
+    page.on('websocket', (socket) => socket.on('framesent', ({ payload }) => {
+      const message = JSON.parse(String(payload)) as { t: string; mnemonics?: string };
+      if (message.t === 'hello') hellos.push(message.mnemonics ?? '');
+    }));
+    await open(page);
+    await expect(id(page, 'mnemonics')).toHaveText('E/A');
+    await expect.poll(() => hellos.at(-1), 'sentences too').toBe('de');
+    await expect(id(page, 'in-8.0')).toContainText('E 8.0');
+    await page.keyboard.press('Control+k');
+    await id(page, 'palette-input').fill('e8.0');
+    await expect(id(page, 'hit-0')).toContainText('Start');
+    await id(page, 'palette-input').fill('A 99.0');
+    await page.keyboard.press('Enter');
+    await id(page, 'nav-watch').click();
+    await expect(id(page, 'watch-row-Q99.0')).toContainText('A 99.0');
+  });
+
+  test('the palette changes to German: the words of the page and of the server', async ({ page }) => {
+    await open(page, '#program/FB20/l120');
+    await id(page, 'view-lad').click();
+    await expect(id(page, 'reason')).toContainText('RLO');
+    await page.keyboard.press('Control+k');
+    await id(page, 'palette-input').fill('Deutsch');
+    await page.keyboard.press('Enter');
+    await expect(id(page, 'reason')).toContainText('VKE');
+    await expect(id(page, 'view-lad')).toHaveText('KOP');
+    await id(page, 'network-3').locator('.ttl').click();
+    await expect(id(page, 'reason-3')).toContainText(/^Bleibt AWL: /);
+  });
+
+  test('power is shown where there is a diagram', async ({ page }) => {
+    await open(page, '#program/FB20/l120');
+    await id(page, 'view-lad').click();
+    await expect(id(page, 'inspector')).toContainText('Power here');
+    await id(page, 'network-3').locator('.ttl').click();
+    await expect(id(page, 'inspector')).not.toContainText('Power here');
+    await id(page, 'network-8').locator('.ttl').click();
+    await expect(id(page, 'inspector')).toContainText('Power here');
+    await id(page, 'view-stl').click();
+    await expect(id(page, 'inspector')).not.toContainText('Power here');
+  });
+});

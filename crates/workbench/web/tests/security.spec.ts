@@ -50,6 +50,22 @@ test.describe('with tokens', () => {
   });
 });
 
+test.describe('without its token', () => {
+  test.use({ files: { 'sieben.toml': `${settings}\n[servers.page]\ntokens = "tokens"\n` } });
+  test('a page without its token says where to find it', async ({ page, sieben }) => {
+    await page.goto('/?theme=light');
+    await expect(id(page, 'no-token')).toContainText('?token=');
+    await expect(id(page, 'no-token')).toContainText('.sieben/page-tokens');
+    await expect(id(page, 'no-token').getByRole('link')).toHaveAttribute('href', '/docs/problems/P7132');
+    await page.keyboard.press('Escape');
+    await expect(id(page, 'connection')).toHaveText('Offline');
+    const token = /token=([^\s.,]+)/.exec(sieben.printed)?.[1] ?? '';
+    await page.goto(`/?theme=light&token=${token}`);
+    await expect(id(page, 'connection')).toHaveText('Live');
+    await expect(id(page, 'no-token')).toHaveCount(0);
+  });
+});
+
 test('80: another origin and another host are refused', async ({ request, sieben }) => {
   const headers = { origin: 'http://evil.example' };
   expect((await request.post('/api/v1/mode', { data: { mode: 'stop' }, headers })).status()).toBe(403);

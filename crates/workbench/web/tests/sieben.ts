@@ -70,6 +70,12 @@ export class Sieben {
     }
   }
 
+  /** The folder has another example from now on. */
+  become(example: string): void {
+    rmSync(this.folder, { recursive: true });
+    cpSync(join(ROOT, 'examples', example), this.folder, { recursive: true, filter: (path) => !path.endsWith('/.sieben') });
+  }
+
   /** Ends it as a power failure does, or by another signal. */
   async kill(signal: NodeJS.Signals = 'SIGKILL'): Promise<void> {
     const child = this.child;

@@ -6,14 +6,14 @@ const TOML = '[project]\nname = "own"\nmnemonics = "en"\n[cpu]\ncycle = "10ms"\n
 test('31: STOP switches the outputs off and keeps what is retentive', async ({ page, request }) => {
   await open(page);
   await dose(page);
-  await page.waitForTimeout(500);
+  const litres = async () => ((await (await request.get('/api/v1/tags?names=C%200')).json()) as { items: { value: number }[] }).items[0]?.value ?? 0;
+  await expect.poll(litres).toBeGreaterThan(0);
   await id(page, 'mode-stop').click();
   await expect(id(page, 'led-stop')).toHaveAttribute('data-on', '1');
   await expect(id(page, 'led-run')).toHaveAttribute('data-on', '0');
   await expect(id(page, 'out-0.0')).toHaveAttribute('data-on', '0');
   await expect(id(page, 'mode-mres')).toBeEnabled();
   await expect(id(page, 'state-message')).toContainText('The CPU is in STOP');
-  const litres = async () => ((await (await request.get('/api/v1/tags?names=C%200')).json()) as { items: { value: number }[] }).items[0]?.value ?? 0;
   const kept = await litres();
   expect(kept).toBeGreaterThan(0);
   await page.waitForTimeout(500);
@@ -54,7 +54,7 @@ test('33: the server goes away and comes back', async ({ page, sieben }) => {
   await expect(id(page, 'connection')).toHaveText('Offline', { timeout: 3000 });
   await expect(id(page, 'state-message')).toContainText(/These are the values of scan [\d,]+/);
   for (const control of ['watch-modify', 'force-add', 'mode-stop', 'pause', 'watch-tick-C0']) await expect(id(page, control)).toBeDisabled();
-  await page.waitForTimeout(1500);
+  await expect(id(page, 'state-message')).toContainText(/No connection for [2-9] s/);
   await sieben.start();
   await expect(id(page, 'connection')).toHaveText('Live', { timeout: 16_000 });
   await expect(id(page, 'toast')).toContainText(/there was no connection for [1-9]\d* s/);
@@ -64,6 +64,69 @@ test('33: the server goes away and comes back', async ({ page, sieben }) => {
   const drawn = () => id(page, 'timeline').locator('path').evaluateAll((all) => all.map((path) => path.getAttribute('d')).join());
   const before = await drawn();
   await expect.poll(drawn).not.toBe(before);
+});
+
+test('33: the server comes back with another program: nothing of the one before is left', async ({ page, sieben }) => {
+  await open(page);
+  await expect(id(page, 'stl-row-8')).toBeVisible();
+  await sieben.kill();
+  await expect(id(page, 'connection')).toHaveText('Offline', { timeout: 3000 });
+  sieben.become('tank');
+  await sieben.start();
+  await expect(id(page, 'connection')).toHaveText('Live', { timeout: 16_000 });
+  await expect(page).toHaveTitle('tank · RUN · Sieben');
+  await expect(id(page, 'plant')).toContainText('Tank');
+  await expect(id(page, 'program')).not.toContainText('Dosing');
+  await id(page, 'nav-symbols').click();
+  await expect(id(page, 'symbol-Overflow')).toBeVisible();
+  await expect(page.getByTestId('symbol-LITRES')).toHaveCount(0);
+  await expect(id(page, 'call-structure')).toContainText('FC 1');
+  await id(page, 'nav-watch').click();
+  await expect(id(page, 'watch-tab-tank')).toBeVisible();
+});
+
+/** Inputs and outputs, more than a page may ask for. */
+const WIDE = `number,symbol,address,type,comment\n${Array.from({ length: 400 }, (_, i) => `${i},Bit${i},${i % 2 === 0 ? 'I' : 'Q'} ${(i - (i % 2)) / 2 + 100}.0,BOOL,`).join('\n')}\n`;
+test.describe('with thousands of channels', () => {
+  test.use({
+    example: OWN,
+    files: {
+      'sieben.toml': '[project]\nname = "own"\nsources = ["main.awl"]\nsymbols = ["symbols.csv"]\nmnemonics = "en"\n[cpu]\ntype = "416-3"\ncycle = "10ms"\n',
+      'symbols.csv': WIDE,
+      'main.awl': 'ORGANIZATION_BLOCK OB 1\nBEGIN\n A I 100.0;\n = Q 299.0;\nEND_ORGANIZATION_BLOCK\n',
+      'long.watch': `name,format,comment\nMW 10,DEC,\n${'x'.repeat(300)},DEC,too long\n`,
+    },
+  });
+  test('the rack asks for what is in sight, and the connection stays', async ({ page, request }) => {
+    const asked: number[] = [];
+    let connections = 0;
+    page.on('websocket', (socket) => {
+      connections += 1;
+      socket.on('framesent', ({ payload }) => {
+        const message = JSON.parse(String(payload)) as { t: string; what?: string; names?: string[] };
+        if (message.what === 'tags') asked.push(message.names?.length ?? 0);
+      });
+    });
+    await open(page);
+    await request.patch('/api/v1/tags', { data: { 'I 100.0': true } });
+    await id(page, 'in-100.0').scrollIntoViewIfNeeded();
+    await expect(id(page, 'in-100.0')).toHaveAttribute('data-on', '1');
+    await id(page, 'out-299.0').scrollIntoViewIfNeeded();
+    await expect(id(page, 'out-299.0')).toHaveAttribute('data-on', '1');
+    expect(Math.max(...asked)).toBeLessThan(600);
+    expect(connections).toBe(1);
+  });
+
+  test('a name that is too long is refused at its row', async ({ page }) => {
+    let connections = 0;
+    page.on('websocket', () => (connections += 1));
+    await open(page, '#watch/long.watch');
+    await expect(id(page, 'watch-value-MW10')).toHaveText('0');
+    await expect(page.getByText('The name is longer than 200 bytes')).toBeVisible();
+    const n = await scan(page);
+    await expect.poll(() => scan(page)).toBeGreaterThan(n + 50);
+    expect(connections).toBe(1);
+  });
 });
 
 test.describe('with a programming error', () => {

@@ -53,6 +53,7 @@ export async function undisturbed(page: Page, belief: Belief): Promise<void> {
     server.onMessage((text) => {
       const message = JSON.parse(String(text)) as Record<string, unknown>;
       if (message['t'] === 'welcome') cycle = Number(message['cycle_us']);
+      if (message['t'] === 'history') message['times'] = [message['from'], message['to']].map((scan) => [scan, Number(scan) * cycle]);
       if (message['t'] === 'scan') {
         // A microsecond more with each message: time that stands is a scan that does not end.
         message['t_us'] = Number(message['n']) * cycle + (belief === 'it goes on' ? messages++ : 0);

@@ -3,7 +3,7 @@ import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { BINARY, expect, id, open, scan, test, type Page } from './sieben';
+import { BINARY, EXAMPLES, expect, id, open, OWN, scan, test, type Page } from './sieben';
 
 /** Forces STOP of the dosing plant to 0, as a user does. */
 async function forceStop(page: Page): Promise<void> {
@@ -52,8 +52,8 @@ test('50: a value that is refused is said at its row, and nothing is lost', asyn
   await open(page, '#watch');
   await id(page, 'watch-new-C0').fill('many');
   await id(page, 'watch-tick-C0').check();
-  await id(page, 'watch-new-Q0.0').fill('1');
-  await id(page, 'watch-tick-Q0.0').check();
+  await id(page, 'watch-new-I0.1').fill('1');
+  await id(page, 'watch-tick-I0.1').check();
   await id(page, 'watch-modify').click();
   const problem = page.locator('[data-testid=watch-row-C0] + tr').getByTestId('watch-problem-C0');
   await expect(problem).toContainText(/P\d{4}/);
@@ -175,11 +175,17 @@ test('55, 56: a trigger keeps its moment, and the cursor is the scan of the page
   };
   // The newest scans are there a moment later.
   await expect.poll(values, 'it rose in this scan').toEqual(['0', '1']);
-  await page.waitForTimeout(1500);
-  const box = (await id(page, 'timing').locator('svg[width]').boundingBox()) ?? { x: 0, y: 0, width: 0, height: 0 };
-  // A little after the trigger, which stands a tenth of the window from its left end; the names have 232 px, the right margin 16.
-  await page.mouse.click(box.x + 232 + 0.14 * (box.width - 248), box.y + 40);
+  // Half a second after the trigger, which is a tenth of ten seconds from the left end; the names have 232 px, the right margin 16.
+  await expect.poll(() => scan(page)).toBeGreaterThan(hit + 150);
+  const svg = id(page, 'timing').locator('svg[width]');
+  const box = (await svg.boundingBox()) ?? { x: 0, y: 0, width: 0, height: 0 };
+  const x = Math.round(232 + 0.15 * (box.width - 248));
+  await page.mouse.click(box.x + x, box.y + 40);
   await expect(id(page, 'connection')).toHaveText('Past');
+  // The cursor is where the click was: a scan of ten milliseconds is about one point wide.
+  const cursor = Number(/^M([\d.]+)/.exec((await svg.locator('path[stroke-width="2"]').getAttribute('d')) ?? '')?.[1]);
+  expect(Math.abs(cursor - x)).toBeLessThan(3);
+  await expect(svg).toContainText(`scan ${(await scan(page)).toLocaleString('en-GB')}`);
   const n = await scan(page);
   await expect(id(page, 'timing-foot')).toContainText(`scan ${n.toLocaleString('en-GB')}`);
   await id(page, 'nav-live').click();
@@ -188,6 +194,78 @@ test('55, 56: a trigger keeps its moment, and the cursor is the scan of the page
   const flow = row.trim().split(/\r?\n/)[1]?.split(',').at(-1);
   await expect(id(page, 'in-0.7')).toHaveAttribute('data-on', flow ?? '');
   await expect(id(page, 'stl-row-15')).toHaveAttribute('data-sta', flow ?? '');
+});
+
+test.describe('with values of many formats', () => {
+  const rows = ['M 0.0,BOOL', 'M 0.1,BOOL', 'M 0.2,BOOL', 'M 0.3,BOOL', 'MD 20,REAL', 'MW 24,INT', 'MW 26,BCD', 'MW 28,S5TIME', 'M 0.4,BOOL', 'MD 30,REAL'];
+  test.use({
+    example: OWN,
+    files: {
+      'sieben.toml': '[project]\nname = "own"\nmnemonics = "en"\n[cpu]\ncycle = "20ms"\n',
+      'own.watch': `name,format,comment\n${rows.map((row) => `${row},`).join('\n')}\n`,
+      'main.awl': 'ORGANIZATION_BLOCK OB 1\nBEGIN\n L 1.5;\n T MD 20;\n L -7;\n T MW 24;\n L W#16#142;\n T MW 26;\n L S5T#2S500MS;\n T MW 28;\n A M 0.0;\n JC on;\n L -2.5;\n T MD 30;\n BEU;\non: L 5.000000e-001;\n T MD 30;\nEND_ORGANIZATION_BLOCK\n',
+    },
+  });
+  test('55: values are those of their formats, and a trigger compares them in any row', async ({ page, request }) => {
+    await open(page, '#watch');
+    const values = id(page, 'timing').locator('text.vv');
+    await expect.poll(async () => (await values.allTextContents()).slice(4)).toEqual(['1.5', '-7', '0142', '2.5 s']);
+    await id(page, 'trigger').fill('MD 30 > 0.25');
+    await id(page, 'trigger').press('Enter');
+    await expect(id(page, 'trigger-state')).toHaveText('waits for MD 30 > 0.25');
+    await request.patch('/api/v1/tags', { data: { 'M 0.0': true } });
+    await expect(id(page, 'trigger-state')).toHaveText(/triggered in scan \d+/);
+    const saved = page.waitForEvent('download');
+    await id(page, 'timing-export').click();
+    await id(page, 'timing-export-csv').click();
+    expect((await saved).suggestedFilename()).toMatch(/^own-\d+-\d+\.csv$/);
+  });
+
+  test('every format of the product can be chosen', async ({ page }) => {
+    await open(page, '#watch');
+    const table = readFileSync(new URL('../../../../docs/reference/formats.md', import.meta.url), 'utf8');
+    const names = [...(table.split('## Values')[0] ?? '').matchAll(/^\| `(\w+)`/gm)].map((row) => row[1] ?? '');
+    const offered = await page.getByLabel('Format: MD 20').locator('option').allTextContents();
+    expect(offered.sort()).toEqual(names.sort());
+  });
+});
+
+test('55: the axis is the time of the CPU, also where it stood', async ({ page, request }) => {
+  await open(page, '#watch');
+  await expect.poll(() => scan(page)).toBeGreaterThan(50);
+  await request.post('/api/v1/mode', { data: { mode: 'stop' } });
+  await expect(id(page, 'connection')).toHaveText('STOP');
+  const stoodAt = performance.now();
+  await expect.poll(() => performance.now() - stoodAt).toBeGreaterThan(1500);
+  await request.post('/api/v1/mode', { data: { mode: 'run' } });
+  await expect(id(page, 'connection')).toHaveText('Live');
+  const n = await scan(page);
+  await expect.poll(() => scan(page)).toBeGreaterThan(n + 60);
+  await id(page, 'pause').click();
+  await expect(id(page, 'connection')).toHaveText('Paused');
+  const time = Number.parseFloat((await id(page, 'scan-time').textContent()) ?? '');
+  expect(time - (await scan(page)) / 100).toBeGreaterThan(1.4);
+  const labels = async () => Math.max(...(await id(page, 'timing').locator('text[text-anchor=middle]').allTextContents()).filter((text) => / s$/.test(text)).map((text) => Number.parseFloat(text)));
+  await expect.poll(labels).toBe(Math.floor(time));
+});
+
+test.describe('with a free cycle', () => {
+  const settings = readFileSync(join(EXAMPLES, 'dosing', 'sieben.toml'), 'utf8');
+  test.use({ files: { 'sieben.toml': settings.replace('cycle = "10ms"', 'cycle = "free"') } });
+  test('55: scans without a set cycle have their times', async ({ page }) => {
+    await open(page, '#watch');
+    for (let i = 0; i < 5; i += 1) await id(page, 'zoom-in').click();
+    await expect(id(page, 'zoom-fit')).toHaveText('0.01 s');
+    await id(page, 'pause').click();
+    await expect(id(page, 'connection')).toHaveText('Paused');
+    const diagram = id(page, 'timing').locator('svg[width]');
+    await expect(diagram.locator('text.vv').first()).toHaveText(/^[01]$/);
+    expect(await diagram.evaluate((node) => node.outerHTML)).not.toMatch(/NaN|Infinity/);
+    const [from, to] = [Number(await diagram.getAttribute('data-from')), Number(await diagram.getAttribute('data-to'))];
+    expect(to).toBeGreaterThan(from);
+    expect(to - from).toBeLessThan(2000);
+    expect(await id(page, 'timeline').evaluate((node) => node.outerHTML)).not.toMatch(/NaN|Infinity/);
+  });
 });
 
 test('55: a trigger that means nothing is said', async ({ page }) => {

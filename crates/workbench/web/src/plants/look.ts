@@ -17,11 +17,13 @@ export const knownOf = (look: PlantLook, name: string): number | undefined => lo
 export const parameterOf = (plant: Plant, name: string, usual: number): number => plant.look.parameters[plant.head.parameters?.indexOf(name) ?? -1] ?? usual;
 
 export const signalOf = (plant: Plant, name: string): Signal | undefined => plant.head.signals.find((one) => one.name === name);
-export const addressOf = (plant: Plant, signal: string): string => signalOf(plant, signal)?.address ?? '';
+/** Its address as the server has it, and as it is shown. */
+export const terminalOf = (plant: Plant, signal: string): string => signalOf(plant, signal)?.address ?? '';
+export const addressOf = (plant: Plant, signal: string): string => page.spell(terminalOf(plant, signal));
 /** The symbol of a signal, or what faults call it. */
 export function labelOf(plant: Plant, signal: string, room = 99): string {
   const address = addressOf(plant, signal);
-  const symbol = address === '' ? '' : page.nameOf(address);
+  const symbol = page.nameOf(terminalOf(plant, signal));
   const name = symbol === address ? signal.replaceAll('_', ' ') : symbol;
   return name.length > room ? `${name.slice(0, room - 1)}…` : name;
 }

@@ -1,5 +1,6 @@
 /** The watch table: rows of a `*.watch` file and those that were added on this page. */
 import { Problem, rest, type WatchRow } from '../rest';
+import { english } from '../names';
 import { added } from './added.svelte';
 import { saveFile } from '../save';
 import { page } from '../state.svelte';
@@ -12,14 +13,15 @@ export interface Line extends WatchRow {
   added: boolean;
 }
 
-export const FORMATS = ['BOOL', 'DEC', 'HEX', 'BIN', 'BCD', 'REAL', 'COUNTER', 'TIMER', 'CHAR', 'DATE'];
+/** All formats of values: `docs/reference/formats.md`. */
+export const FORMATS = ['BOOL', 'BIN', 'HEX', 'DEC', 'INT', 'DINT', 'LINT', 'REAL', 'LREAL', 'CHAR', 'BCD', 'S5TIME', 'TIME', 'LTIME', 'DATE', 'LDATE', 'TOD', 'LTOD', 'DT', 'LDT', 'COUNTER', 'POINTER', 'ANY'];
 
 /** Address and symbol complete each other. */
 export function place(name: string): { address: string; symbol: string; type: string } {
   const plain = name.trim().replace(/^"|"$/g, '');
   const bySymbol = page.symbols.find((one) => one.symbol.toLowerCase() === plain.toLowerCase());
   if (bySymbol !== undefined) return { address: bySymbol.address, symbol: bySymbol.symbol, type: bySymbol.type };
-  const address = plain.toUpperCase().replace(/^([A-Z]+)\s*(\d)/, '$1 $2');
+  const address = english(plain.toUpperCase().replace(/^([A-Z]+)\s*(\d)/, '$1 $2'));
   const byAddress = page.symbols.find((one) => one.address === address);
   return { address, symbol: byAddress?.symbol ?? '', type: byAddress?.type ?? (/\.\d$/.test(address) ? 'BOOL' : '') };
 }
@@ -27,7 +29,7 @@ export function place(name: string): { address: string; symbol: string; type: st
 export function usualFormat(type: string, address: string): string {
   if (type === 'BOOL' || /\.\d$/.test(address)) return 'BOOL';
   if (/^C /.test(address)) return 'COUNTER';
-  if (/^T /.test(address)) return 'TIMER';
+  if (/^T /.test(address)) return 'S5TIME';
   if (type === 'REAL') return 'REAL';
   return type === 'WORD' || type === 'DWORD' || type === 'BYTE' ? 'HEX' : 'DEC';
 }
