@@ -106,10 +106,9 @@ fn measure(what: &str, is_joined: bool) {
 
     let mut client = client.expect("one is left");
     let typed_at = place(text, TYPED_AT);
-    let mut version = 1;
     let mut keystrokes = Vec::new();
     for round in 0..ROUNDS {
-        version += 1;
+        let version = round + 2;
         // A mistake, and the text as it was: each keystroke changes what is wrong.
         let change = match round % 2 {
             0 => json!([{ "range": { "start": typed_at, "end": typed_at }, "text": MISTAKE }]),
