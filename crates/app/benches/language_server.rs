@@ -138,7 +138,9 @@ fn measure(what: &str, is_joined: bool) {
     }
 
     let (symbol, user) = most_used(&borrowed);
-    let used_at = place(borrowed.iter().find(|(name, _)| *name == user).expect("it is there").1, &symbol);
+    let user_text = borrowed.iter().find(|(name, _)| *name == user).expect("it is there").1;
+    let used_at = place(user_text, &symbol);
+    client.open(user, user_text);
     let uri = client.uri(user);
     let mut asked = json!({ "textDocument": { "uri": uri }, "position": within(&used_at, 3) });
     asked["newName"] = json!("renamed");

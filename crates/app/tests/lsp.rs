@@ -2,6 +2,8 @@
 
 mod lsp_client;
 
+use std::process::Command;
+
 use lsp_client::{Client, checked, codes, position, slice};
 use serde_json::{Value, json};
 
@@ -212,7 +214,18 @@ fn a_fix_is_offered_and_all_certain_ones_at_once() {
         "textDocument/codeAction",
         json!({ "textDocument": { "uri": uri }, "range": all, "context": { "diagnostics": [], "only": ["source"] } }),
     );
-    assert!(only.as_array().into_iter().flatten().all(|action| action["kind"] == "source.fixAll.sieben"), "{only}");
+    let only = only.as_array().expect("a list");
+    assert_eq!(only.iter().map(|action| &action["kind"]).collect::<Vec<_>>(), ["source.fixAll.sieben"], "{only:?}");
+    // All of them at once are what `check --fix` does.
+    let mut fixed = wrong.clone();
+    let mut edits = only[0]["edit"]["changes"][&uri].as_array().expect("edits").clone();
+    edits.sort_by_key(|edit| std::cmp::Reverse((edit["range"]["start"]["line"].as_u64(), edit["range"]["start"]["character"].as_u64())));
+    for edit in edits {
+        fixed = edited(&fixed, &edit["range"], edit["newText"].as_str().expect("a text"));
+    }
+    let check = Command::new(env!("CARGO_BIN_EXE_sieben")).args(["check", "--fix", "."]).current_dir(&client.folder).output();
+    assert!(check.is_ok());
+    assert_eq!(std::fs::read_to_string(client.folder.join("main.awl")).ok(), Some(fixed));
     // A client that leaves out the context is answered, too.
     client.result("textDocument/codeAction", json!({ "textDocument": { "uri": uri }, "range": all }));
 }
@@ -225,6 +238,10 @@ fn a_network_is_drawn_and_a_test_is_run() {
     let drawn = client.result("workspace/executeCommand", json!({ "command": "sieben.showDiagram", "arguments": [uri, at] }));
     assert!(drawn["svg"].as_str().is_some_and(|svg| svg.starts_with("<svg") || svg.starts_with("<?xml")), "{drawn}");
     assert_eq!(drawn["network"], 1);
+    // Its head belongs to a network, too.
+    let at = position(&marked(MAIN, "TITLE = Dosing"));
+    let drawn = client.result("workspace/executeCommand", json!({ "command": "sieben.showDiagram", "arguments": [uri, at] }));
+    assert_eq!(drawn["network"], 2, "{drawn}");
     let test = "TEST 'it doses'\n  ASSERT_EQ(1, 1);\nEND_TEST\n\nTEST 'it does not'\n  ASSERT_EQ(1, 2);\nEND_TEST\n";
     std::fs::write(client.folder.join("plant.test.st"), test).expect("it can be written");
     client.open("plant.test.st", test);

@@ -75,9 +75,9 @@ fn a_file_in_a_code_page_is_read_as_it_lies_and_not_changed() {
     let options = json!({ "tabSize": 2, "insertSpaces": true });
     let formatted = client.ask("textDocument/formatting", json!({ "textDocument": { "uri": uri }, "options": options }));
     assert!(formatted["error"]["message"].as_str().is_some_and(|why| why.contains("wrong encoding")), "{formatted}");
-    // Reopened with its encoding it is a text as any other.
-    client.tell("textDocument/didClose", json!({ "textDocument": { "uri": uri } }));
-    client.open("main.awl", text);
+    // Reopened with its encoding, which editors tell as a change, it is a text as any other.
+    let lost = json!({ "start": { "line": 0, "character": 4 }, "end": { "line": 0, "character": 5 } });
+    client.change("main.awl", 2, &json!([{ "range": lost, "text": "\u{E4}" }]));
     let renamed = client.result("textDocument/rename", json!({ "textDocument": { "uri": uri }, "position": position, "newName": "Other" }));
     assert!(renamed.to_string().contains("Other"), "{renamed}");
     assert_eq!(client.shut_down(), Some(0));
@@ -133,4 +133,62 @@ fn two_servers_and_two_projects_have_each_their_own() {
     assert_eq!(codes(&second.diagnostics("main.awl", Some(1))), Vec::<String>::new());
     assert!(pump(&mut first, "two/main.awl").contains("Q 5.7"), "the other project stays as it is");
     assert_eq!((first.shut_down(), second.shut_down()), (Some(0), Some(0)));
+}
+
+#[test]
+fn what_a_client_spells_or_leaves_out_is_taken_all_the_same() {
+    let mut client = Client::start("spelled", &[("Tür a.awl", COUNTER)], &json!({}));
+    let uri = format!("file://{}/Tür a.awl", client.folder.display());
+    let told = |client: &mut Client| {
+        let message = client.wait("diagnostics", |message| message["method"] == "textDocument/publishDiagnostics");
+        message["params"]["diagnostics"].as_array().map(Vec::len)
+    };
+    client.tell("textDocument/didOpen", json!({ "textDocument": { "uri": uri, "languageId": "awl", "text": COUNTER } }));
+    assert_eq!(told(&mut client), Some(1));
+    client.tell("textDocument/didChange", json!({ "textDocument": { "uri": uri }, "contentChanges": [{ "text": "ORGANIZATION_BLOCK OB 1\nBEGIN\nEND_ORGANIZATION_BLOCK\n" }] }));
+    assert_eq!(told(&mut client), Some(0));
+    assert_eq!(client.shut_down(), Some(0));
+}
+
+#[test]
+fn an_inner_project_has_its_own_symbols_and_files_of_no_watcher_are_read_again() {
+    let files = [
+        ("sieben.toml", "[project]\nname = \"outer\"\nsources = [\"main.awl\"]\n"),
+        ("main.awl", "ORGANIZATION_BLOCK OB 1\nBEGIN\nEND_ORGANIZATION_BLOCK\n"),
+        ("in/sieben.toml", "[project]\nname = \"inner\"\n"),
+        ("in/symbols.csv", SYMBOLS),
+        ("in/main.awl", COUNTER),
+    ];
+    let mut client = Client::start("inner", &files, &json!({}));
+    client.open("in/main.awl", COUNTER);
+    assert_eq!(codes(&client.diagnostics("in/main.awl", Some(1))), Vec::<String>::new());
+    // A row comes on top of the table, and nothing says so.
+    let table = SYMBOLS.replacen('\n', "\nOther,Q5.0,BOOL,\n", 1);
+    std::fs::write(client.folder.join("in/symbols.csv"), &table).expect("the file can be written");
+    let uri = client.uri("in/main.awl");
+    let asked = json!({ "textDocument": { "uri": uri }, "position": { "line": 3, "character": 14 }, "newName": "Drive" });
+    let renamed = client.result("textDocument/rename", asked);
+    let of_table = &renamed["changes"][client.uri("in/symbols.csv")][0];
+    assert_eq!((of_table["range"]["start"]["line"].as_u64(), of_table["newText"].as_str()), (Some(2), Some("Drive")), "{renamed}");
+    assert_eq!(client.shut_down(), Some(0));
+}
+
+#[test]
+fn settings_that_are_not_said_again_stay() {
+    let german = "ORGANIZATION_BLOCK OB 1\nBEGIN\n      U     E 0.0;\n      =     A 4.0;\nEND_ORGANIZATION_BLOCK\n";
+    let mut client = Client::silent("settings", &[("main.awl", german)]);
+    let folder = client.uri("");
+    let options = json!({ "mnemonics": "en", "liveValues": false });
+    client.result("initialize", json!({ "processId": null, "rootUri": folder, "capabilities": {}, "initializationOptions": options }));
+    client.tell("initialized", json!({}));
+    client.open("main.awl", german);
+    let wrong = codes(&client.diagnostics("main.awl", Some(1)));
+    assert!(!wrong.is_empty(), "it is read as international mnemonics");
+    client.tell("workspace/didChangeConfiguration", json!({ "settings": {} }));
+    client.change("main.awl", 2, &json!([{ "text": format!("{german}\n") }]));
+    assert_eq!(codes(&client.diagnostics("main.awl", Some(2))), wrong);
+    client.tell("workspace/didChangeConfiguration", json!({ "settings": { "sieben": { "mnemonics": "auto" } } }));
+    client.change("main.awl", 3, &json!([{ "text": german }]));
+    assert_eq!(codes(&client.diagnostics("main.awl", Some(3))), Vec::<String>::new());
+    assert_eq!(client.shut_down(), Some(0));
 }

@@ -40,6 +40,8 @@ pub(super) struct Client {
     pub(super) disabled_actions: bool,
     /// What it says about all programs.
     pub(super) settings: Settings,
+    /// What it said about them first.
+    options: Value,
 }
 
 /// What a client sets for all programs, in `initializationOptions` or by `workspace/didChangeConfiguration`.
@@ -50,6 +52,8 @@ pub(super) struct Settings {
     dialect: Option<Dialect>,
     strict: bool,
     extended: bool,
+    /// Whether hints show values of a run.
+    pub(super) live_values: bool,
     /// What was not understood.
     pub(super) mistakes: Vec<String>,
 }
@@ -83,6 +87,7 @@ impl Settings {
         }
         settings.strict = flag("strict").unwrap_or_default();
         settings.extended = flag("extended").unwrap_or_default();
+        settings.live_values = flag("liveValues").unwrap_or(true);
         settings.mistakes = mistakes;
         settings
     }
@@ -121,7 +126,16 @@ impl Client {
             versioned_edits: can("workspace/workspaceEdit/documentChanges"),
             disabled_actions: can("textDocument/codeAction/disabledSupport"),
             settings: Settings::of(&options),
+            options,
         }
+    }
+
+    /// The settings that hold from now on: what is not said stays as it was said first.
+    pub(super) fn changed(&self, said: &Value) -> Settings {
+        let inner = |options: &Value| options.get("sieben").unwrap_or(options).as_object().cloned().unwrap_or_default();
+        let mut all = inner(&self.options);
+        all.extend(inner(said));
+        Settings::of(&Value::Object(all))
     }
 }
 

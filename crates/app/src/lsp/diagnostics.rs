@@ -136,7 +136,8 @@ impl<'a> Collecting<'a> {
 
     fn push(&mut self, place: Place, told: Value) {
         let list = self.told.entry(place).or_default();
-        if list.len() < OF_FILE_MAX {
+        // Folders that a client has open may lie in each other.
+        if list.len() < OF_FILE_MAX && !list.contains(&told) {
             list.push(told);
         }
     }

@@ -24,6 +24,8 @@ pub(super) struct Document {
     lines: Arc<Lines>,
     /// The client has read a code page as UTF-8, and saving would lose characters.
     pub(super) is_lossy: bool,
+    /// The text as the client has it, where it was repaired.
+    given: Option<String>,
 }
 
 /// The character that stands for bytes that mean nothing.
@@ -31,15 +33,16 @@ const LOST: char = '\u{FFFD}';
 
 impl Document {
     fn new(place: &Place, uri: String, language: String, version: i32, text: String, columns: Columns) -> Self {
-        let (text, is_lossy) = match place.path().and_then(|path| repaired(path, &text, columns)) {
-            Some(text) => (text, true),
+        let (text, is_lossy, given) = match place.path().and_then(|path| repaired(path, &text, columns)) {
+            Some(own) => (own, true, Some(text)),
             None => {
-                let is_lossy = text.contains(LOST) && place.path().is_some();
-                (text, is_lossy)
+                let is_utf8 = |path: &std::path::Path| files::read_saved(path).is_ok_and(|bytes| str::from_utf8(&bytes).is_ok());
+                let is_lossy = text.contains(LOST) && place.path().is_some_and(|path| !is_utf8(path));
+                (text, is_lossy, None)
             }
         };
         let lines = Arc::new(Lines::of(&text));
-        Self { uri, language, version, text: text.into(), lines, is_lossy }
+        Self { uri, language, version, text: text.into(), lines, is_lossy, given }
     }
 
     /// Its text.
@@ -58,24 +61,44 @@ impl Document {
     }
 
     /// Takes in changes, one after another.
-    fn change(&mut self, version: i32, changes: Vec<TextDocumentContentChangeEvent>, columns: Columns) {
-        self.version = version;
-        let mut text = String::from(&*self.text);
-        let mut lines = None;
-        for change in changes {
-            match change.range {
-                None => text = change.text,
-                Some(Range { start, end }) => {
-                    let known = lines.get_or_insert_with(|| Lines::of(&text));
-                    let (start, end) = (known.byte(&text, start, columns), known.byte(&text, end, columns));
-                    text.replace_range(start.min(end)..end.max(start), &change.text);
-                }
+    fn change(&mut self, version: Option<i32>, changes: &[TextDocumentContentChangeEvent], columns: Columns) {
+        self.version = version.unwrap_or(self.version);
+        let mut text = changed(&self.text, changes, columns);
+        if self.is_lossy {
+            // What was repaired has as many units as what the client has: the same changes fit both.
+            let given = self.given.take().map_or_else(|| text.clone(), |given| changed(&given, changes, columns));
+            self.is_lossy = given.contains(LOST);
+            match self.is_lossy {
+                true => self.given = Some(given),
+                false => text = given,
             }
-            lines = None;
         }
-        self.lines = Arc::new(lines.unwrap_or_else(|| Lines::of(&text)));
+        self.lines = Arc::new(Lines::of(&text));
         self.text = text.into();
     }
+}
+
+/// A text after changes, one after another.
+fn changed(text: &str, changes: &[TextDocumentContentChangeEvent], columns: Columns) -> String {
+    let mut text = text.to_owned();
+    // Clients send many changes from the last one to the first: the lines before a change stay where they are.
+    let mut known: Option<(Lines, usize)> = None;
+    for change in changes {
+        let Some(Range { start, end }) = change.range else {
+            text.clone_from(&change.text);
+            known = None;
+            continue;
+        };
+        let line = start.line.max(end.line) as usize;
+        let kept = known.take().filter(|&(_, first)| line < first);
+        let (lines, _) = kept.unwrap_or_else(|| (Lines::of(&text), usize::MAX));
+        let (start, end) = (lines.byte(&text, start, columns), lines.byte(&text, end, columns));
+        let bytes = start.min(end)..end.max(start);
+        let first = lines.line_of(bytes.start);
+        text.replace_range(bytes, &change.text);
+        known = Some((lines, first));
+    }
+    text
 }
 
 /// The text of a file in a code page that the client has decoded as UTF-8: what it could not decode, as it is in the file. Only where
@@ -112,12 +135,12 @@ impl Documents {
     pub(super) fn change(
         &mut self,
         uri: &str,
-        version: i32,
+        version: Option<i32>,
         changes: Vec<TextDocumentContentChangeEvent>,
         columns: Columns,
     ) -> Option<Place> {
         let place = Place::of(uri);
-        self.open.get_mut(&place)?.change(version, changes, columns);
+        self.open.get_mut(&place)?.change(version, &changes, columns);
         Some(place)
     }
 
@@ -160,15 +183,19 @@ mod tests {
         let uri = "untitled:a".to_owned();
         let place = documents.open(uri.clone(), "awl".to_owned(), 1, "Tür\r\nb".to_owned(), Columns::Utf16);
         let changes = vec![change(Some([0, 1, 0, 2]), "o"), change(Some([0, 3, 1, 1]), "!\n"), change(Some([9, 9, 9, 9]), "end")];
-        assert!(documents.change(&uri, 7, changes, Columns::Utf16).is_some());
+        assert!(documents.change(&uri, Some(7), changes, Columns::Utf16).is_some());
         let document = documents.get(&place).expect("it is open");
         assert_eq!((&**document.text(), document.version), ("Tor!\nend", 7));
         assert_eq!(**document.lines(), Lines::of("Tor!\nend"));
+        // From the last line to the first, with lines that come and go.
+        let changes = vec![change(Some([1, 0, 1, 1]), "E\n"), change(Some([0, 1, 0, 2]), "a\r"), change(Some([0, 0, 0, 0]), "<")];
+        assert!(documents.change(&uri, None, changes, Columns::Utf16).is_some());
+        assert_eq!(documents.get(&place).map(|document| document.text().to_string()).as_deref(), Some("<Ta\rr!\nE\nnd"));
         // Backwards, and a whole text.
-        let changes = vec![change(Some([1, 3, 1, 0]), ""), change(None, "new"), change(Some([0, 0, 0, 1]), "N")];
-        assert!(documents.change(&uri, 3, changes, Columns::Utf16).is_some());
+        let changes = vec![change(Some([2, 1, 1, 0]), ""), change(None, "new"), change(Some([0, 0, 0, 1]), "N")];
+        assert!(documents.change(&uri, Some(3), changes, Columns::Utf16).is_some());
         assert_eq!(documents.get(&place).map(|document| document.text().to_string()).as_deref(), Some("New"));
-        assert!(documents.change("untitled:b", 1, Vec::new(), Columns::Utf16).is_none());
+        assert!(documents.change("untitled:b", Some(1), Vec::new(), Columns::Utf16).is_none());
         assert!(documents.close(&uri).is_some() && documents.close(&uri).is_none());
     }
 }

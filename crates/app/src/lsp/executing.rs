@@ -1,11 +1,14 @@
 //! Commands that a client has the server execute.
 
+use std::ops::Range;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use lsp_server::{ErrorCode, RequestId};
 use lsp_types::Position;
 use serde_json::{Value, json};
+use sieben_ide::text::Text;
+use sieben_ide::text::outline::{Kind, Row};
 use sieben_model::block::BlockId;
 use sieben_model::language::Language;
 use sieben_sim::scenario::Rules;
@@ -81,6 +84,14 @@ fn refused_later() -> lsp_server::ResponseError {
     lsp_server::ResponseError { code: LATER, message: String::new(), data: None }
 }
 
+/// The bytes of the network that a byte belongs to; those of the block where it stands in none.
+fn network_at(rows: &[Row], byte: usize) -> Option<Range<usize>> {
+    let row = rows.iter().rfind(|row| (row.whole.0..=row.whole.1).contains(&byte))?;
+    let inner = network_at(&row.rows, byte);
+    let is_block = !matches!(row.kind, Kind::Section | Kind::Variable | Kind::Constant | Kind::Label);
+    inner.or_else(|| is_block.then_some(row.whole.0..row.whole.1))
+}
+
 /// The network at a position as SVG: `[uri, position, "lad" | "fbd"]`.
 fn show_diagram(server: &mut Server, arguments: &[Value]) -> Answer {
     let uri = arguments.first().and_then(Value::as_str).ok_or_else(|| missing("arguments[0]"))?.to_owned();
@@ -90,12 +101,14 @@ fn show_diagram(server: &mut Server, arguments: &[Value]) -> Answer {
         "fbd" => Form::Fbd,
         _ => Form::Lad,
     };
-    let (place, document) = server.document(&uri)?;
-    let lines = document.lines();
-    let line = lines.line_of(server.byte(document, position));
-    let until = lines.bytes(document.text(), line).1;
-    server.renew();
     let refuse = |why: &str| refused(ErrorCode::RequestFailed, why);
+    let (place, _) = server.document(&uri)?;
+    let known = server.known(&place).ok_or_else(|| refuse("this text is part of no program"))?;
+    let (_, document) = server.document(&uri)?;
+    let parsed = Text::parse(&known.name, document.text(), known.language, known.mnemonics);
+    let none = "there is no network here that can be drawn; a block with errors has none";
+    let within = network_at(&parsed.outline(), server.byte(document, position)).ok_or_else(|| refuse(none))?;
+    server.renew();
     let (program, file) = server.folders.program_of(&place).ok_or_else(|| refuse("this text is part of no program"))?;
     let build = program.build();
     let places = Places::new(&build);
@@ -107,13 +120,14 @@ fn show_diagram(server: &mut Server, arguments: &[Value]) -> Answer {
                 ElementPlaces::Statements(spans) => spans.iter().filter(|span| span.file == file).map(|span| span.start).min(),
                 ElementPlaces::Bytes(of, start) => (*of == file).then_some(*start),
             };
-            let Some(first) = first.filter(|first| (*first as usize) <= until) else { continue };
-            if best.as_ref().is_none_or(|(known, ..)| *known <= first) {
+            let Some(first) = first.filter(|first| within.contains(&(*first as usize))) else { continue };
+            // A block without networks is one; in others the bytes are those of one network.
+            if best.as_ref().is_none_or(|(known, ..)| first < *known) {
                 best = Some((first, block, network));
             }
         }
     }
-    let (_, block, network) = best.ok_or_else(|| refuse("there is no network here that can be drawn; a block with errors has none"))?;
+    let (_, block, network) = best.ok_or_else(|| refuse(none))?;
     let shown = diagrams.shown(block, network, form, None);
     let (title, reason) = (shown.title.clone(), shown.reason.clone());
     let picture = svg(&[(shown, network)]);

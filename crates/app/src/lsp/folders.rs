@@ -13,7 +13,7 @@ use sieben_workspace::project::{Overrides, Project};
 use sieben_workspace::settings;
 
 use super::documents::{Document, Documents};
-use super::programs::Program;
+use super::programs::{Program, Tests};
 use super::uri::{self, Place};
 use crate::failure::Failure;
 use crate::files::OpenTexts;
@@ -111,6 +111,9 @@ impl Root {
                     return Taken::NotIn;
                 }
                 taken = Taken::In;
+            } else if program.has_test(path) {
+                // It is looked at as it is open.
+                taken = Taken::In;
             }
         }
         taken
@@ -185,6 +188,11 @@ impl Folders {
         self.roots.iter_mut().filter(|root| root.holds(path)).for_each(|root| root.stale = true);
     }
 
+    /// Files are read again before the next answer.
+    pub(super) fn read_again(&mut self) {
+        self.roots.iter_mut().for_each(|root| root.stale = true);
+    }
+
     /// All of it has to be read again.
     pub(super) fn forget(&mut self) {
         self.roots.iter_mut().for_each(|root| {
@@ -200,7 +208,22 @@ impl Folders {
         for root in &mut self.roots {
             root.renew(documents, self.overrides);
         }
+        self.find_inner_roots(documents);
         self.renew_alone(documents);
+    }
+
+    /// A project inside of a folder that is open, and that the programs of the folder leave out.
+    fn find_inner_roots(&mut self, documents: &Documents) {
+        for path in documents.iter().filter_map(|(place, _)| place.path()) {
+            let Some(home) = home_of(paths::folder_of(path)) else { continue };
+            let key = uri::known(&home);
+            if self.roots.iter().any(|root| root.key == key || has(root, path)) {
+                continue;
+            }
+            let mut root = Root::new(home, false);
+            root.renew(documents, self.overrides);
+            self.roots.push(root);
+        }
     }
 
     /// Each open file has the folder with the `sieben.toml` above it.
@@ -247,7 +270,7 @@ impl Folders {
     }
 
     /// Everything that is wrong, by the texts that it is wrong in: a list for each folder and each text that belongs to none.
-    pub(super) fn found(&mut self, documents: &Documents) -> Vec<(Option<Place>, Vec<Finding>, Texts)> {
+    pub(super) fn found(&mut self, documents: &Documents, tests: Tests) -> Vec<(Option<Place>, Vec<Finding>, Texts)> {
         let mut all: Vec<(Option<Place>, Vec<Finding>, Texts)> = Vec::new();
         for root in &mut self.roots {
             let (mut findings, texts) = root.found();
@@ -256,14 +279,19 @@ impl Folders {
                 findings.retain(|finding| finding.diagnostic.problem != Problem::P6005);
             }
             all.push((None, findings, texts));
-            let tests = root.programs.iter_mut().flat_map(|program| program.tests(documents));
-            all.extend(tests.map(|(findings, texts)| (None, findings, texts)));
+            let found = root.programs.iter_mut().flat_map(|program| program.tests(documents, tests));
+            all.extend(found.map(|(findings, texts)| (None, findings, texts)));
         }
         for (place, program) in &mut self.alone {
             let findings = program.findings().to_vec();
             all.push((Some(place.clone()), findings, program.project().texts.clone()));
         }
         all
+    }
+
+    /// Whether test files are to be looked at again.
+    pub(super) fn has_old_tests(&self) -> bool {
+        self.roots.iter().flat_map(|root| &root.programs).any(Program::has_old_tests)
     }
 
     /// The first program that has a text, and which of its sources it is.
@@ -289,8 +317,7 @@ impl Folders {
         let is_it = |name: &str| uri::known(Path::new(name)) == path;
         let has_it = |program: &&mut Program| {
             let project = program.project();
-            project.texts.documents.iter().any(|(_, document)| is_it(&document.name))
-                || project.tests.iter().any(|test| uri::known(test) == path)
+            project.texts.documents.iter().any(|(_, document)| is_it(&document.name)) || program.has_test(path)
         };
         self.roots.iter_mut().flat_map(|root| &mut root.programs).find(has_it).map(|program| program.snapshot(documents))
     }
@@ -311,7 +338,7 @@ impl Folders {
 
 /// Whether a program of a folder has a file.
 fn has(root: &Root, path: &Path) -> bool {
-    root.programs.iter().any(|program| program.file(path).is_some() || program.project().tests.iter().any(|test| uri::known(test) == path))
+    root.programs.iter().any(|program| program.file(path).is_some() || program.has_test(path))
 }
 
 /// Whether a file that is no source of any program may change what the programs are.

@@ -58,7 +58,8 @@ impl Live {
 /// is open and the editor takes the word that its hints are old.
 pub(super) fn values(server: &mut Server, place: &Place, mut names: Vec<String>) -> Vec<Option<String>> {
     names.truncate(VALUES_MAX);
-    let Some(home) = server.folders.home_of(place).filter(|_| !names.is_empty()) else { return Vec::new() };
+    let is_wanted = server.client.settings.live_values && !names.is_empty();
+    let Some(home) = server.folders.home_of(place).filter(|_| is_wanted) else { return Vec::new() };
     let values = server.live.read(&home, &names);
     server.live.shown = Some(Shown { place: place.clone(), home, names, values: values.clone() });
     server.live.due = server.client.refreshes_hints.then(|| Instant::now() + LOOK_AGAIN);

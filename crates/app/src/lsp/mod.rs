@@ -23,11 +23,15 @@ mod transport;
 mod uri;
 mod work;
 
-use std::io;
+use std::time::{Duration, Instant};
+use std::{io, thread};
 
 use sieben_model::problems::Problem;
 
 use crate::failure::{Exit, Failure};
+
+/// How long a client may take to read what was said last.
+const FAREWELL_MAX: Duration = Duration::from_secs(2);
 
 /// Serves the client at standard input and output until it is gone.
 pub(crate) fn run() -> Result<Exit, Failure> {
@@ -35,13 +39,16 @@ pub(crate) fn run() -> Result<Exit, Failure> {
     let (sender, events) = transport::events();
     let cancelled = transport::Cancelled::default();
     let (outbox, out, unread) = transport::Outbox::new();
-    let writer = transport::write(io::stdout(), out, unread).map_err(no_thread)?;
+    let writer = transport::write(io::stdout(), out, unread, sender.clone()).map_err(no_thread)?;
     transport::read(io::BufReader::new(io::stdin()), sender.clone(), cancelled.clone()).map_err(no_thread)?;
     let mut server = server::Server::new(outbox, sender, cancelled);
     let exit = server.run(&events);
     // What was said last is written before the process ends; a client that does not read is not waited for.
     drop(server);
     drop(events);
-    let _ = writer.is_finished() || writer.join().is_ok();
+    let begun = Instant::now();
+    while !writer.is_finished() && begun.elapsed() < FAREWELL_MAX {
+        thread::sleep(Duration::from_millis(1));
+    }
     Ok(exit)
 }

@@ -1,7 +1,9 @@
 //! What is asked about names: the services of `ide::editing` in the words of the protocol.
 
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use std::rc::Rc;
 
 use lsp_server::{ErrorCode, ResponseError};
 use lsp_types::{Position, Range};
@@ -28,6 +30,8 @@ pub(super) struct Asked {
     columns: Columns,
     /// The place of the text that is asked about: it may have no path.
     place: Place,
+    /// Where the lines of texts begin, counted once.
+    lines: RefCell<BTreeMap<TextId, Rc<Lines>>>,
 }
 
 impl Asked {
@@ -37,12 +41,23 @@ impl Asked {
         server.renew();
         let columns = server.columns();
         let Some(snapshot) = server.folders.snapshot_of(&place, &server.documents) else { return Ok(None) };
+        let source = server.folders.program_of(&place).map(|(program, file)| program.project().texts.program.file(file).name.clone());
         let is_it = |name: &str| match &place {
             Place::File(path) => uri::known(Path::new(name)) == *path,
             Place::Untitled(_) | Place::Other(_) => true,
         };
-        let text = snapshot.texts().iter().position(|text| is_it(&text.name));
-        Ok(text.map(|text| Self { snapshot, text: TextId(text), columns, place }))
+        // Only a source is found by its name alone; the others are few.
+        let text = source.and_then(|name| snapshot.find(&name));
+        let text = text.or_else(|| snapshot.texts().iter().position(|text| is_it(&text.name)).map(TextId));
+        Ok(text.map(|text| Self::new(snapshot, text, columns, place)))
+    }
+
+    fn new(snapshot: Snapshot, text: TextId, columns: Columns, place: Place) -> Self {
+        Self { snapshot, text, columns, place, lines: RefCell::default() }
+    }
+
+    fn lines(&self, text: TextId) -> Rc<Lines> {
+        Rc::clone(self.lines.borrow_mut().entry(text).or_insert_with(|| Rc::new(Lines::of(self.source(text)))))
     }
 
     fn source(&self, text: TextId) -> &str {
@@ -51,20 +66,20 @@ impl Asked {
 
     pub(super) fn position(&self, position: Position) -> editing::Position {
         let text = self.source(self.text);
-        editing::Position { text: self.text, offset: Lines::of(text).byte(text, position, self.columns) }
+        editing::Position { text: self.text, offset: self.lines(self.text).byte(text, position, self.columns) }
     }
 
     /// Bytes of the text that is asked about, of a range.
     pub(super) fn bytes(&self, range: Range) -> Bytes {
         let text = self.source(self.text);
-        let lines = Lines::of(text);
+        let lines = self.lines(self.text);
         let start = lines.byte(text, range.start, self.columns);
         Bytes { start, end: lines.byte(text, range.end, self.columns).max(start) }
     }
 
     fn range_in(&self, text: TextId, bytes: Bytes) -> Range {
         let source = self.source(text);
-        Lines::of(source).range(source, bytes.start, bytes.end, self.columns)
+        self.lines(text).range(source, bytes.start, bytes.end, self.columns)
     }
 
     pub(super) fn range(&self, bytes: Bytes) -> Range {
@@ -86,13 +101,12 @@ impl Asked {
         json!({ "uri": self.uri(server, place.text), "range": self.range_in(place.text, place.range) })
     }
 
-    /// Locations, with the lines of each text counted once.
+    /// Locations, with the URI of each text made once.
     fn locations<'p>(&self, server: &Server, places: impl Iterator<Item = &'p editing::Place>) -> Vec<Value> {
-        let mut known: BTreeMap<TextId, (String, Lines)> = BTreeMap::new();
+        let mut known: BTreeMap<TextId, String> = BTreeMap::new();
         let location = |place: &editing::Place| {
-            let source = self.source(place.text);
-            let (uri, lines) = known.entry(place.text).or_insert_with(|| (self.uri(server, place.text), Lines::of(source)));
-            json!({ "uri": uri, "range": lines.range(source, place.range.start, place.range.end, self.columns) })
+            let uri = known.entry(place.text).or_insert_with(|| self.uri(server, place.text));
+            json!({ "uri": uri, "range": self.range_in(place.text, place.range) })
         };
         places.map(location).collect()
     }
@@ -253,6 +267,10 @@ pub(super) fn prepare_rename(server: &mut Server, uri: &str, position: Position)
 }
 
 pub(super) fn rename(server: &mut Server, uri: &str, position: Position, new_name: &str) -> Answer {
+    if !server.client.watches {
+        // It is not known whether files that are not open are still as they were.
+        server.folders.read_again();
+    }
     let Some(asked) = Asked::of(server, uri)? else {
         return Err(refused(ErrorCode::RequestFailed, "this text is part of no program, so nothing in it can be renamed"));
     };
@@ -293,7 +311,7 @@ pub(super) fn symbols(server: &mut Server, query: &str) -> Answer {
     let columns = server.columns();
     let mut all = Vec::new();
     for snapshot in server.folders.snapshots(&server.documents) {
-        let asked = Asked { snapshot, text: TextId(usize::MAX), columns, place: Place::Other(String::new()) };
+        let asked = Asked::new(snapshot, TextId(usize::MAX), columns, Place::Other(String::new()));
         for symbol in editing::symbols::workspace_symbols(&asked.snapshot, query, SYMBOLS_MAX) {
             let kind = match symbol.kind {
                 Kind::Function => 12,
@@ -338,7 +356,7 @@ pub(super) fn calls(server: &mut Server, item: &Value, incoming: bool) -> Answer
     let Some(snapshot) = server.folders.snapshot_of(&place, &server.documents) else { return Ok(Value::Null) };
     let is_it = |name: &str| place.path().is_none_or(|path| uri::known(Path::new(name)) == path);
     let Some(text) = snapshot.texts().iter().position(|text| is_it(&text.name)) else { return Ok(Value::Null) };
-    let asked = Asked { snapshot, text: TextId(text), columns, place };
+    let asked = Asked::new(snapshot, TextId(text), columns, place);
     let Some(block) = calls::prepare(&asked.snapshot, asked.position(range.start)) else { return Ok(Value::Null) };
     let found = if incoming { calls::incoming(&asked.snapshot, &block) } else { calls::outgoing(&asked.snapshot, &block) };
     let (other, ranges) = if incoming { ("from", "fromRanges") } else { ("to", "fromRanges") };

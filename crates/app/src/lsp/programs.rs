@@ -1,6 +1,6 @@
 //! One program that stays open: its sources with what is wrong with them, renewed with each change.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 use std::sync::Arc;
@@ -20,6 +20,15 @@ use crate::{files, paths};
 /// Bytes of a program that is tried in other dialects with each change; a larger one when it is read.
 const TRIED_BYTES_MAX: usize = 64 << 10;
 
+/// Which test files are looked at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Tests {
+    /// All whose text or program is another one than it was: that may take long.
+    All,
+    /// Open ones whose text is another one: what was found in the others stands.
+    Typed,
+}
+
 /// A program.
 pub(super) struct Program {
     /// What reports call it, where there are several.
@@ -32,6 +41,8 @@ pub(super) struct Program {
     snapshot: Option<Snapshot>,
     /// What is wrong with its test files, by their paths, with the texts that they had.
     tests: BTreeMap<PathBuf, (Arc<str>, Vec<Finding>, Texts)>,
+    /// The program changed since they were looked at, or they were not yet.
+    old_tests: bool,
     /// Nothing was changed since it was read.
     is_new: bool,
     /// What each source is for, where a folder without a `sieben.toml` was looked through; filled as sources change.
@@ -52,6 +63,7 @@ impl Program {
             build: None,
             snapshot: None,
             tests: BTreeMap::new(),
+            old_tests: true,
             is_new: true,
             roles,
             overrides,
@@ -86,9 +98,7 @@ impl Program {
         }
         self.open.replace(file, text).filter(|()| is_same)?;
         (self.findings, self.build, self.is_new) = (None, None, false);
-        if self.bytes() <= TRIED_BYTES_MAX {
-            self.tests.clear();
-        }
+        self.old_tests |= self.bytes() <= TRIED_BYTES_MAX;
         Some(())
     }
 
@@ -106,16 +116,33 @@ impl Program {
         })
     }
 
+    /// Whether a file is one of its tests.
+    pub(super) fn has_test(&self, path: &Path) -> bool {
+        self.project().tests.iter().any(|test| uri::known(test) == path)
+    }
+
+    /// Whether there are test files that were not looked at since the program changed.
+    pub(super) fn has_old_tests(&self) -> bool {
+        self.old_tests && !self.project().tests.is_empty()
+    }
+
     /// Everything that is wrong with its test files, and the texts that it is wrong in. In a large program a test file is looked at again
-    /// when it changes, in a small one with each change.
-    pub(super) fn tests(&mut self, documents: &Documents) -> Vec<(Vec<Finding>, Texts)> {
+    /// when it changes, in a small one when the program does, too.
+    pub(super) fn tests(&mut self, documents: &Documents, which: Tests) -> Vec<(Vec<Finding>, Texts)> {
         if finding::has_errors(self.findings()) {
             return Vec::new();
         }
         let mut known = std::mem::take(&mut self.tests);
+        if which == Tests::All && std::mem::take(&mut self.old_tests) {
+            known.clear();
+        }
         let project = self.open.project();
         for test in project.tests.iter().filter(|test| !paths::is_scenario(test)) {
             let open = documents.get(&Place::File(uri::known(test))).map(|document| Arc::clone(document.text()));
+            if which == Tests::Typed && open.is_none() {
+                self.tests.extend(known.remove_entry(test));
+                continue;
+            }
             let saved = || Some(Arc::from(encoding::read_source(&files::read_saved(test).ok()?).ok()?.text));
             let Some(text) = open.or_else(saved) else { continue };
             let kept = known.remove(test).filter(|(before, ..)| *before == text);
@@ -137,11 +164,13 @@ impl Program {
     pub(super) fn snapshot(&mut self, documents: &Documents) -> Snapshot {
         let project = self.open.project();
         let mut texts: Vec<Text> = Vec::new();
+        let before = self.snapshot.as_ref().map_or(&[][..], Snapshot::texts);
+        let known: HashMap<&str, &Arc<str>> = before.iter().map(|text| (text.name.as_str(), &text.text)).collect();
+        let lossy: Vec<&Place> = documents.iter().filter(|(_, document)| document.is_lossy).map(|(place, _)| place).collect();
         let mut add = |name: &str, text: &str, role: Role| {
-            let known = self.snapshot.as_ref().and_then(|before| before.text(before.find(name)?));
-            let text = known.filter(|known| *known.text == *text).map_or_else(|| Arc::from(text), |known| Arc::clone(&known.text));
-            let document = documents.get(&Place::File(uri::known(Path::new(name))));
-            let is_lossy = document.is_some_and(|document| document.is_lossy);
+            let known = known.get(name).filter(|known| ****known == *text);
+            let text = known.map_or_else(|| Arc::from(text), |known| Arc::clone(known));
+            let is_lossy = !lossy.is_empty() && lossy.contains(&&Place::File(uri::known(Path::new(name))));
             let fixed = is_lossy.then(|| format!("`{name}` is open with the wrong encoding: reopen it with its own, and try again"));
             texts.push(Text { name: name.to_owned(), text, role, fixed });
         };

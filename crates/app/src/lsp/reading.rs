@@ -18,15 +18,15 @@ use super::work::{Answer, refused};
 use crate::paths;
 
 /// What is known of a text before it is parsed.
-struct Known {
-    name: String,
-    language: Language,
-    mnemonics: Option<Mnemonics>,
+pub(super) struct Known {
+    pub(super) name: String,
+    pub(super) language: Language,
+    pub(super) mnemonics: Option<Mnemonics>,
 }
 
 impl Server {
     /// How an open text is read: as its program reads it, else by its name; `None` if it is no source.
-    fn known(&mut self, place: &Place) -> Option<Known> {
+    pub(super) fn known(&mut self, place: &Place) -> Option<Known> {
         let document = self.documents.get(place)?;
         if document.is_too_large() {
             return None;

@@ -5,6 +5,7 @@ use lsp_types::{Position, Range};
 use serde_json::{Value, json};
 use sieben_ide::editing::definition;
 
+use super::programs::Tests;
 use super::server::Server;
 use super::uri::Place;
 use super::work::{Answer, refused};
@@ -85,7 +86,8 @@ pub(super) fn answer(server: &mut Server, id: &RequestId, method: &str, params: 
         "workspace/executeCommand" => executing::execute(server, id, &given.text("/command")?, &given.list("/arguments")),
         "textDocument/diagnostic" => {
             let place = Place::of(&given.uri()?);
-            let items = server.found().0.remove(&place).unwrap_or_default();
+            let tests = if place.path().is_some_and(crate::paths::is_test) { Tests::All } else { Tests::Typed };
+            let items = server.found(tests).0.remove(&place).unwrap_or_default();
             Ok(json!({ "kind": "full", "items": items }))
         }
         "workspace/textDocumentContent" => {

@@ -13,6 +13,7 @@ use super::documents::{Document, Documents};
 use super::folders::Folders;
 use super::live::{self, Live};
 use super::positions::Columns;
+use super::programs::Tests;
 use super::transport::{Cancelled, Event, Outbox};
 use super::uri::Place;
 use super::work::{Answer, refused, survive};
@@ -23,6 +24,9 @@ use crate::failure::Exit;
 const WAIT_MAX: Duration = Duration::from_millis(300);
 /// Diagnostics that took no longer than this do not wait at all.
 const QUICK: Duration = Duration::from_millis(25);
+
+/// Test files are looked at when nothing was changed for so long: each of them compiles the program with its tests.
+const TESTS_WAIT: Duration = Duration::from_millis(300);
 
 /// Where a conversation stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,6 +55,8 @@ pub(super) struct Server {
     told_homeless: Vec<String>,
     /// When diagnostics are told next.
     due: Option<Instant>,
+    /// When those of test files are, too.
+    tests_due: Option<Instant>,
     /// How long they took.
     took: Duration,
     /// The texts that changed since they were told.
@@ -74,6 +80,7 @@ impl Server {
             told: Told::new(),
             told_homeless: Vec::new(),
             due: None,
+            tests_due: None,
             took: Duration::ZERO,
             changed: Vec::new(),
             asked: 0,
@@ -83,13 +90,17 @@ impl Server {
     /// Answers until the client is gone or says `exit`.
     pub(super) fn run(&mut self, events: &Receiver<Event>) -> Exit {
         loop {
-            let event = match self.due.into_iter().chain(self.live.due).min() {
+            let event = match self.due.into_iter().chain(self.tests_due).chain(self.live.due).min() {
                 None => events.recv().ok(),
                 Some(due) => match events.recv_timeout(due.saturating_duration_since(Instant::now())) {
                     Ok(event) => Some(event),
                     Err(RecvTimeoutError::Disconnected) => None,
                     Err(RecvTimeoutError::Timeout) if self.due == Some(due) => {
-                        self.tell();
+                        self.tell(Tests::Typed);
+                        continue;
+                    }
+                    Err(RecvTimeoutError::Timeout) if self.tests_due == Some(due) => {
+                        self.tell(Tests::All);
                         continue;
                     }
                     Err(RecvTimeoutError::Timeout) => {
@@ -140,7 +151,7 @@ impl Server {
             (Stage::Ends, _) => self.answer(id, Err(refused(ErrorCode::InvalidRequest, "nothing comes after `shutdown` but `exit`"))),
             (Stage::Runs, "shutdown") => {
                 self.stage = Stage::Ends;
-                (self.due, self.live.due) = (None, None);
+                (self.due, self.tests_due, self.live.due) = (None, None, None);
                 self.answer(id, Ok(Value::Null));
             }
             (Stage::Runs, _) => {
@@ -285,32 +296,38 @@ impl Server {
     }
 
     /// Tells the client what is wrong, as far as that is something else than before.
-    fn tell(&mut self) {
-        self.due = None;
+    fn tell(&mut self, tests: Tests) {
+        (self.due, self.tests_due) = (None, None);
         let begun = Instant::now();
         let told = survive("diagnostics", || {
-            self.diagnose();
+            self.diagnose(tests);
             Ok(Value::Null)
         });
         if let Err(error) = told {
             self.log(1, &error.message);
             self.folders.forget();
         }
-        self.took = begun.elapsed();
+        match tests {
+            Tests::Typed => {
+                self.took = begun.elapsed();
+                self.tests_due = self.folders.has_old_tests().then(|| Instant::now() + TESTS_WAIT);
+            }
+            Tests::All => {}
+        }
     }
 
     /// What is wrong with all texts.
-    pub(super) fn found(&mut self) -> (Told, Vec<String>) {
+    pub(super) fn found(&mut self, tests: Tests) -> (Told, Vec<String>) {
         self.renew();
         let mut collecting = Collecting::new(&self.client.telling, &self.documents);
-        for (alone, findings, texts) in self.folders.found(&self.documents) {
+        for (alone, findings, texts) in self.folders.found(&self.documents, tests) {
             collecting.add(alone.as_ref(), &findings, &texts);
         }
         collecting.finish()
     }
 
-    fn diagnose(&mut self) {
-        let (told, homeless) = self.found();
+    fn diagnose(&mut self, tests: Tests) {
+        let (told, homeless) = self.found(tests);
         let changed = std::mem::take(&mut self.changed);
         // Who asks for diagnostics of open texts is told of the others only.
         let is_told = |place: &Place| !(self.client.pulls && self.documents.get(place).is_some());

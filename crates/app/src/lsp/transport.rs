@@ -100,6 +100,8 @@ impl Outbox {
         // A client that does not read has nothing of what comes later either.
         if self.unread.fetch_add(1, Ordering::Relaxed) < UNREAD_MAX {
             let _ = self.lines.send(value.to_string());
+        } else {
+            self.unread.fetch_sub(1, Ordering::Relaxed);
         }
     }
 }
@@ -129,17 +131,19 @@ pub(super) fn read(mut input: impl BufRead + Send + 'static, events: SyncSender<
     thread::Builder::new().name("requests".to_owned()).spawn(read).map(drop)
 }
 
-/// Starts the thread that writes; it ends when no box is left, or with the stream.
+/// Starts the thread that writes; it ends when no box is left, or with the stream, which is the end of the client.
 pub(super) fn write(
     mut output: impl Write + Send + 'static,
     out: Receiver<String>,
     unread: Arc<AtomicUsize>,
+    events: SyncSender<Event>,
 ) -> io::Result<thread::JoinHandle<()>> {
     let write = move || {
         for line in out {
             unread.fetch_sub(1, Ordering::Relaxed);
             let written = write!(output, "Content-Length: {}\r\n\r\n{line}", line.len()).and_then(|()| output.flush());
             if written.is_err() {
+                let _ = events.send(Event::Gone(None));
                 return;
             }
         }
