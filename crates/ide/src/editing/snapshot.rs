@@ -56,6 +56,11 @@ impl Snapshot {
         Self::build(texts, options, Some(self))
     }
 
+    /// The project with other texts and the same options.
+    pub(crate) fn with_texts(&self, texts: Vec<Text>) -> Self {
+        Self::build(texts, &self.options, Some(self))
+    }
+
     fn build(texts: Vec<Text>, options: &Options, before: Option<&Self>) -> Self {
         let before = before.filter(|before| (before.options.mnemonics, before.options.dialect) == (options.mnemonics, options.dialect));
         let known: HashMap<&str, usize> = before
