@@ -1,8 +1,5 @@
 //! Whether every name means after a rename what it meant before.
 
-use std::collections::HashMap;
-use std::sync::Arc;
-
 use sieben_lang::source_names::key;
 
 use super::super::{Edit, Snapshot, TextId};
@@ -10,14 +7,7 @@ use super::super::{Edit, Snapshot, TextId};
 /// Makes the project with the edits and compares what each use of the old and of the new name stands for; a sentence says where it is
 /// something else. Other names stand in other places for the same as before: what they lead through has one of the two names.
 pub(super) fn are_kept(snapshot: &Snapshot, edits: &[Edit], old_name: &str, new_name: &str) -> Result<(), String> {
-    let mut by_text: HashMap<TextId, Vec<&Edit>> = HashMap::new();
-    edits.iter().for_each(|edit| by_text.entry(edit.place.text).or_default().push(edit));
-    let mut texts = snapshot.texts().to_vec();
-    for (text, edits) in &by_text {
-        let Some(text) = texts.get_mut(text.0) else { continue };
-        text.text = Arc::from(edited(&text.text, edits));
-    }
-    let changed = snapshot.with_texts(texts);
+    let changed = snapshot.with_edits(edits);
     let (before, after) = (snapshot.names(), changed.names());
     let keys = [key(old_name), key(new_name)];
     for index in 0..snapshot.texts().len() {
@@ -37,17 +27,4 @@ pub(super) fn are_kept(snapshot: &Snapshot, edits: &[Edit], old_name: &str, new_
         }
     }
     Ok(())
-}
-
-/// A text with edits that are in the order of their places.
-fn edited(text: &str, edits: &[&Edit]) -> String {
-    let mut out = String::with_capacity(text.len() + edits.len() * 8);
-    let mut at = 0;
-    for edit in edits {
-        out.push_str(text.get(at..edit.place.range.start).unwrap_or_default());
-        out.push_str(&edit.new_text);
-        at = edit.place.range.end;
-    }
-    out.push_str(text.get(at..).unwrap_or_default());
-    out
 }
