@@ -1,5 +1,7 @@
 //! Another name for something, in all blocks, languages, symbol tables and tests.
 
+mod meanings;
+
 use std::collections::HashMap;
 use std::ops::Range;
 
@@ -55,7 +57,7 @@ pub fn rename(snapshot: &Snapshot, position: Position, new_name: &str) -> Result
     if let Some(fixed) = uses.iter().find_map(|(_, place, _)| snapshot.text(place.text)?.fixed.as_ref()) {
         return Err(fixed.clone());
     }
-    if old_key != new_key {
+    if old_key != new_key || is_exact(snapshot, target) {
         is_free(snapshot, target, new_name, &uses)?;
     }
     let mut edits = Vec::with_capacity(uses.len());
@@ -66,6 +68,9 @@ pub fn rename(snapshot: &Snapshot, position: Position, new_name: &str) -> Result
     }
     edits.sort_by_key(|edit| edit.place.clone());
     edits.dedup();
+    if old_key != new_key {
+        meanings::are_kept(snapshot, &edits, &old_name, new_name)?;
+    }
     Ok(edits)
 }
 
@@ -113,6 +118,13 @@ fn target(snapshot: &Snapshot, position: Position) -> Result<(Occurrence, DefId)
     Ok((one, target))
 }
 
+/// Whether upper and lower case are different names: of labels of STL.
+fn is_exact(snapshot: &Snapshot, target: DefId) -> bool {
+    let names = snapshot.names();
+    let is_label = |at: &At| names.definition_at(*at).is_some_and(|one| one.kind == DefinitionKind::Label);
+    names.heads(target).iter().any(|at| is_label(at) && names.text(at.0).is_some_and(|text| text.mnemonics.is_some()))
+}
+
 /// Whether nothing else has the new name where it would stand.
 fn is_free(snapshot: &Snapshot, target: DefId, new_name: &str, uses: &[(Found, Place, Occurrence)]) -> Result<(), String> {
     let names = snapshot.names();
@@ -120,6 +132,8 @@ fn is_free(snapshot: &Snapshot, target: DefId, new_name: &str, uses: &[(Found, P
     let heads = names.heads(target);
     let definition = |at: &At| names.definition_at(*at);
     let is_label = heads.iter().filter_map(definition).any(|one| one.kind == DefinitionKind::Label);
+    let is_exact = is_exact(snapshot, target);
+    let is_same = |one: &str, other: &str| if is_exact { one == other } else { key(one) == key(other) };
     let owners: Vec<At> = heads.iter().filter_map(|at| Some((at.0, definition(at)?.parent?))).collect();
     for owner in &owners {
         let Some(of) = names.of_definition(*owner) else { continue };
@@ -129,9 +143,9 @@ fn is_free(snapshot: &Snapshot, target: DefId, new_name: &str, uses: &[(Found, P
             .into_iter()
             .filter(|at| !heads.contains(at))
             .filter(same_kind)
-            .any(|at| definition(&at).is_some_and(|one| key(&one.name) == new_key));
+            .any(|at| definition(&at).is_some_and(|one| is_same(&one.name, new_name)));
         let twice =
-            |at: &At| definition(at).zip(heads.first().and_then(definition)).is_some_and(|(one, own)| key(&one.name) == key(&own.name));
+            |at: &At| definition(at).zip(heads.first().and_then(definition)).is_some_and(|(one, own)| is_same(&one.name, &own.name));
         if names.members(of).into_iter().filter(|at| !heads.contains(at)).filter(same_kind).any(|at| twice(&at)) {
             let name = definition(owner).map_or("", |one| one.name.as_str());
             return Err(format!("`{name}` declares this name twice, so that it is not clear what would be renamed"));
@@ -156,6 +170,7 @@ fn is_free(snapshot: &Snapshot, target: DefId, new_name: &str, uses: &[(Found, P
     if is_label {
         return Ok(());
     }
+    extension_is_free(snapshot, &heads, new_name)?;
     for (found, place, one) in uses {
         let Some(source) = names.text(found.text) else { continue };
         let Some(id) = source.id(&new_key) else { continue };
@@ -174,6 +189,23 @@ fn is_free(snapshot: &Snapshot, target: DefId, new_name: &str, uses: &[(Found, P
             if captured.any(|(index, _)| names.resolve(found.text, index).is_none_or(|other| other != target)) {
                 let name = snapshot.text(place.text).map_or("", |text| text.name.as_str());
                 return Err(format!("`{new_name}` stands in this block of `{name}` already and means something else"));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Whether nothing that extends the owner declares the new name.
+fn extension_is_free(snapshot: &Snapshot, heads: &[At], new_name: &str) -> Result<(), String> {
+    let names = snapshot.names();
+    let new_key = key(new_name);
+    for (text, source) in names.texts().iter().enumerate() {
+        for &index in source.definitions_of(&new_key) {
+            let Some(parent) = source.definition(index).and_then(|one| one.parent) else { continue };
+            let Some(block) = source.definition(parent).filter(|block| !block.extends.is_empty()) else { continue };
+            let all = names.of_definition((text as u32, parent)).map(|block| names.members(block)).unwrap_or_default();
+            if heads.iter().any(|head| all.contains(head)) {
+                return Err(format!("`{}` has it by what it extends, and has something with the name `{new_name}` already", block.name));
             }
         }
     }

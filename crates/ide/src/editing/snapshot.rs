@@ -9,7 +9,7 @@ use sieben_lang::source_names::{of_library, of_source, of_symbols};
 use sieben_lang::{Options, names};
 use sieben_model::mnemonics::Mnemonics;
 
-use super::{Bytes, Place, Position, TextId};
+use super::{Bytes, Edit, Place, Position, TextId};
 
 /// What a text is in its project.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -54,6 +54,24 @@ impl Snapshot {
     /// The project with other texts or options; what is known of a text that is the same is kept.
     pub fn changed(&self, texts: Vec<Text>, options: &Options) -> Self {
         Self::build(texts, options, Some(self))
+    }
+
+    /// The project after edits, which are in the order of their places.
+    pub(crate) fn with_edits(&self, edits: &[Edit]) -> Self {
+        let mut texts = self.texts.to_vec();
+        for edits in edits.chunk_by(|one, next| one.place.text == next.place.text) {
+            let Some(text) = edits.first().and_then(|edit| texts.get_mut(edit.place.text.0)) else { continue };
+            let mut edited = String::with_capacity(text.text.len());
+            let mut at = 0;
+            for edit in edits {
+                edited.push_str(text.text.get(at..edit.place.range.start).unwrap_or_default());
+                edited.push_str(&edit.new_text);
+                at = edit.place.range.end;
+            }
+            edited.push_str(text.text.get(at..).unwrap_or_default());
+            text.text = Arc::from(edited);
+        }
+        Self::build(texts, &self.options, Some(self))
     }
 
     fn build(texts: Vec<Text>, options: &Options, before: Option<&Self>) -> Self {

@@ -108,7 +108,11 @@ pub(crate) fn answer(snapshot: &Snapshot, mark: Position, question: &str) -> Str
         }
         "linked" => linked(snapshot, mark).into_iter().for_each(|range| _ = writeln!(out, "{}", here(range))),
         "actions" => {
-            for action in actions::actions(snapshot, mark.text, Bytes { start: mark.offset, end: mark.offset }) {
+            // The selection begins at the mark and ends after so many lines; without a number it is empty.
+            let rest = snapshot.text(mark.text).and_then(|text| text.text.get(mark.offset..)).unwrap_or_default();
+            let lines = argument.parse().unwrap_or(0);
+            let end = mark.offset + rest.split_inclusive('\n').take(lines).map(str::len).sum::<usize>();
+            for action in actions::actions(snapshot, mark.text, Bytes { start: mark.offset, end }) {
                 let _ = writeln!(out, "{:?} {}", action.kind, action.title);
                 if let Some(reason) = &action.disabled {
                     let _ = writeln!(out, "  disabled: {reason}");

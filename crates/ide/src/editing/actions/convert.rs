@@ -25,11 +25,15 @@ pub(super) fn actions(at: &At<'_>) -> Option<Action> {
     let what = if is_all { "the whole file" } else { "the selection" };
     let title = format!("Write {what} in {name} mnemonics");
     let inside = |range: &std::ops::Range<usize>| is_all || (at.range.start <= range.start && range.end <= at.range.end);
-    let edits: Vec<_> = translations(at.content(), Some(from), to, language.drawing())
+    let (edits, others): (Vec<_>, Vec<_>) = translations(at.content(), Some(from), to, language.drawing())
         .into_iter()
-        .filter(|(range, new_text)| inside(range) && at.content().get(range.clone()) != Some(new_text))
-        .map(|(range, new_text)| at.edit(Bytes::from(range), new_text))
-        .collect();
+        .filter(|(range, new_text)| at.content().get(range.clone()) != Some(new_text))
+        .partition(|(range, _)| inside(range));
+    if !edits.is_empty() && !others.is_empty() {
+        let reason = "the rest of the file would keep the mnemonics it has, and a file has one kind of them; select all of it";
+        return Some(Action::disabled(Kind::Rewrite, title, reason));
+    }
+    let edits: Vec<_> = edits.into_iter().map(|(range, new_text)| at.edit(Bytes::from(range), new_text)).collect();
     match edits.is_empty() {
         true => Some(Action::disabled(
             Kind::Rewrite,

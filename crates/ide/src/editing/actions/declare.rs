@@ -2,7 +2,7 @@
 
 use sieben_lang::names::{Access, Definition, DefinitionKind, Written};
 
-use super::super::context::{line_before, quotes_names};
+use super::super::context::{in_word, line_before};
 use super::{Action, At, Bytes, Kind};
 
 /// Declares the variable at the cursor in its block.
@@ -17,7 +17,6 @@ pub(super) fn action(at: &At<'_>) -> Option<Action> {
     match one.written {
         Written::Local(_) => {}
         // A bare name of STL may be anything.
-        Written::Plain(_) if language.dialect().is_some() && !quotes_names(language) => {}
         Written::Plain(_) if language.dialect().is_some() => {}
         _ => return None,
     }
@@ -29,7 +28,7 @@ pub(super) fn action(at: &At<'_>) -> Option<Action> {
         (false, Some(_)) if block.kind == DefinitionKind::Test => (DefinitionKind::Temp, "VAR"),
         _ => (DefinitionKind::Temp, "VAR_TEMP"),
     };
-    let data_type = data_type(at, one.span.start as usize);
+    let data_type = data_type(at, index, one.span.into());
     let title = format!("Declare `{name}` as {data_type} in {section}");
     let is_word = name.chars().all(super::super::context::in_word);
     let written = if is_word { name.to_owned() } else { format!("\"{name}\"") };
@@ -98,31 +97,67 @@ fn section_start(text: &str, block: &Definition) -> Option<usize> {
 }
 
 /// The type that a name seems to have where it stands.
-fn data_type(at: &At<'_>, offset: usize) -> &'static str {
+fn data_type(at: &At<'_>, index: u32, span: Bytes) -> String {
     let text = at.content();
-    let line = line_before(text, offset);
+    let line = line_before(text, span.start);
     let is_st = at.snapshot.language(at.text).is_some_and(|language| language.dialect().is_some());
+    if let Some(known) = type_beside(at, index, span) {
+        return known;
+    }
     if !is_st {
         let statement = line.rsplit(';').next().unwrap_or_default();
         let statement = statement.rsplit(':').next().unwrap_or_default().trim();
         let word = statement.split_whitespace().next().unwrap_or_default().to_ascii_uppercase();
-        return match word.as_str() {
+        let found = match word.as_str() {
             "L" | "T" => "INT",
             "LAR1" | "LAR2" | "TAR1" | "TAR2" => "DWORD",
             _ => "BOOL",
         };
+        return found.to_owned();
     }
-    let rest = text.get(offset..).unwrap_or_default();
+    let rest = text.get(span.end..).unwrap_or_default();
     let rest = rest.split([';', '\n', '\r']).next().unwrap_or_default().to_ascii_uppercase();
     let before = line.trim_end_matches(['#', ' ']).to_ascii_uppercase();
     let is_condition = ["IF", "ELSIF", "WHILE", "UNTIL", "NOT", "AND", "OR", "XOR"].iter().any(|word| before.ends_with(word));
-    let assigned = rest.split_once(":=").map_or("", |(_, value)| value.trim());
-    match () {
+    // What another argument takes stands after a comma.
+    let assigned = rest.trim_start_matches(['"', ' ', '\t']).strip_prefix(":=").map_or("", str::trim);
+    let found = match () {
         () if assigned.starts_with("TRUE") || assigned.starts_with("FALSE") || assigned.starts_with("NOT ") => "BOOL",
         () if assigned.starts_with("T#") || assigned.starts_with("TIME#") => "TIME",
         () if assigned.starts_with('\'') => "STRING",
         () if assigned.contains('.') && assigned.trim_end().parse::<f64>().is_ok() => "REAL",
         () if is_condition && !rest.contains(['<', '>', '=']) => "BOOL",
         () => "INT",
-    }
+    };
+    found.to_owned()
+}
+
+/// The type of the parameter that takes the name, or of the other side of its assignment.
+fn type_beside(at: &At<'_>, index: u32, span: Bytes) -> Option<String> {
+    let (source, names, text) = (at.snapshot.of_text(at.text)?, at.snapshot.names(), at.content());
+    let type_of = |index: u32| {
+        let target = names.resolve(at.text.0 as u32, index)?;
+        let found = names.heads(target).into_iter().find_map(|head| names.definition_at(head))?.data_type.clone();
+        // Types with parts of their own are none for a variable beside them.
+        let is_word = !found.is_empty() && found.chars().all(|sign| in_word(sign) || sign == '"');
+        is_word.then_some(found)
+    };
+    let between = |from: usize, to: usize| text.get(from..to).map(|signs| signs.trim_matches(['#', '"', ' ', '\t', '\r', '\n']));
+    let end = text.get(span.end..)?.find([';', '\n', '\r']).map_or(text.len(), |length| span.end + length);
+    let before = (0..index).rev().take(16).find_map(|other| {
+        let one = source.occurrence(other)?;
+        let gap = between(one.span.end as usize, span.start)?;
+        if matches!(gap, ":=" | "=>") && matches!(one.written, Written::Parameter(..)) {
+            return Some(other);
+        }
+        // A whole expression has the type of what takes it, where nothing is called or compared.
+        let expression = text.get(one.span.end as usize..end)?.trim_start_matches(['"', ' ', '\t']).strip_prefix(":=")?;
+        (!expression.contains(['(', ')', '[', ']', '<', '>', '=', ';'])).then_some(other)
+    });
+    let after = || {
+        let next = source.occurrence(index + 1)?;
+        let is_whole = between(next.span.end as usize, end) == Some("");
+        (is_whole && between(span.end, next.span.start as usize) == Some(":=")).then_some(index + 1)
+    };
+    before.or_else(after).and_then(type_of)
 }

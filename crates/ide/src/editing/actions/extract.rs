@@ -1,7 +1,8 @@
 //! A network as a function of its own.
 
 use sieben_lang::stl::ast::{Network, Operand, Statement};
-use sieben_lang::stl::instructions::Instruction;
+use sieben_lang::stl::instructions::{Effect, Instruction};
+use sieben_lang::stl::operands::OperandClass;
 use sieben_lang::stl::parser::parse_as;
 use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::mnemonics::Mnemonics;
@@ -54,6 +55,9 @@ pub(super) fn action(at: &At<'_>) -> Option<Action> {
     if let Some(next) = block.statements.get(end).filter(|next| !begins(next, mnemonics)) {
         return refused(format!("the statement after it, `{}`, works on what it leaves", next.mnemonic.text));
     }
+    if let Err(reason) = is_apart(&block.statements, network.first_statement, end, mnemonics) {
+        return refused(reason);
+    }
     let taken = |number: u16| at.snapshot.names().blocks().any(|(block, _)| block == BlockId::fc(number));
     let Some(free) = (1..=u16::MAX).find(|number| !taken(*number)) else { return refused("no number of a function is free".to_owned()) };
     let (from, to) = (first.span.start as usize, after(text, last.span.end as usize));
@@ -87,11 +91,10 @@ fn obstacle(statement: &Statement, mnemonics: Mnemonics) -> Option<String> {
     if let Some(label) = &statement.label {
         return Some(format!("it has the label `{}`, which may be jumped to", label.text));
     }
+    if Instruction::candidates(written, mnemonics).any(|row| row.operand() == OperandClass::Label) {
+        return Some(format!("`{written}` jumps to a label of its block"));
+    }
     match english {
-        "JU" | "JC" | "JCN" | "JCB" | "JNB" | "JBI" | "JNBI" | "JO" | "JOS" | "JZ" | "JN" | "JP" | "JM" | "JPZ" | "JMZ" | "JUO" | "JL"
-        | "LOOP" => {
-            return Some(format!("`{written}` jumps to a label of its block"));
-        }
         "BE" | "BEC" | "BEU" => return Some(format!("`{written}` would end the function and no longer its block")),
         "LAR1" | "LAR2" | "TAR1" | "TAR2" | "CAR" | "+AR1" | "+AR2" => {
             return Some(format!("`{written}` works with an address register of its block"));
@@ -171,4 +174,77 @@ fn begins(statement: &Statement, mnemonics: Mnemonics) -> bool {
             | "OPN"
             | "UC"
     )
+}
+
+/// Whether the statements from `first` to before `end` do the same in a function: a call ends a logic string, clears OS and has its own MCR.
+fn is_apart(all: &[Statement], first: usize, end: usize, mnemonics: Mnemonics) -> Result<(), String> {
+    let (before, rest) = all.split_at(first.min(all.len()));
+    let (_, later) = rest.split_at((end.saturating_sub(first)).min(rest.len()));
+    if let Err(statement) = ends_logic(before, mnemonics) {
+        return Err(format!("the logic string before it goes on after `{}`, and a call would end it", statement.mnemonic.text));
+    }
+    if let Err(statement) = ends_logic(&all[..end.min(all.len())], mnemonics) {
+        return Err(format!("its logic string goes on after its end, at `{}`, and the call would end it", statement.mnemonic.text));
+    }
+    // A jump back leads to statements before it.
+    let again = if before.iter().any(|one| one.label.is_some()) { before } else { &[] };
+    if let Some(reader) = later.iter().chain(again).find(|one| reads_stored_overflow(one, mnemonics)) {
+        return Err(format!("`{}` reads the bit OS, which the call clears", reader.mnemonic.text));
+    }
+    match before.iter().any(|one| one.mnemonic.text.eq_ignore_ascii_case("MCRA")) {
+        true => Err("the master control relay is active there, and a function has its own".to_owned()),
+        false => Ok(()),
+    }
+}
+
+/// Whether /FC is 0 and no bracket is open after statements that begin a block; otherwise the statement that leaves it so.
+fn ends_logic(statements: &[Statement], mnemonics: Mnemonics) -> Result<(), &Statement> {
+    let mut brackets: Vec<&Statement> = Vec::new();
+    for statement in statements {
+        match statement.mnemonic.text.as_str() {
+            ")" => _ = brackets.pop(),
+            written if written.ends_with('(') && !written.eq_ignore_ascii_case("MCR(") => brackets.push(statement),
+            _ => {}
+        }
+    }
+    if let Some(open) = brackets.last() {
+        return Err(open);
+    }
+    for statement in statements.iter().rev() {
+        match first_check(statement, mnemonics) {
+            Effect::Cleared => return Ok(()),
+            // What jumps here may come from a logic string.
+            Effect::Unaffected if statement.label.is_none() => {}
+            _ => return Err(statement),
+        }
+    }
+    Ok(())
+}
+
+/// What a statement does to /FC: the last column of its status row.
+fn first_check(statement: &Statement, mnemonics: Mnemonics) -> Effect {
+    if statement.mnemonic.text.is_empty() {
+        return Effect::Unaffected;
+    }
+    let is_status_word = is_name(&statement.operand, "STW");
+    let has_operand = statement.operand != Operand::None;
+    let all = Instruction::candidates(&statement.mnemonic.text, mnemonics).filter(|row| match row.operand() {
+        OperandClass::StatusWord => is_status_word,
+        OperandClass::None => !has_operand,
+        OperandClass::ScanBit | OperandClass::Transfer | OperandClass::Load => has_operand && !is_status_word,
+        _ => true,
+    });
+    let mut effects = all.map(|row| row.status()[8]);
+    let first = effects.next().unwrap_or(Effect::Written);
+    if effects.all(|other| other == first) { first } else { Effect::Written }
+}
+
+/// Whether a statement reads the bit OS: a jump that depends on it, a scan of it or the whole status word.
+fn reads_stored_overflow(statement: &Statement, mnemonics: Mnemonics) -> bool {
+    let is_jump = Instruction::candidates(&statement.mnemonic.text, mnemonics).any(|row| row == Instruction::JumpIfStoredOverflow);
+    is_jump || is_name(&statement.operand, "OS") || is_name(&statement.operand, "STW")
+}
+
+fn is_name(operand: &Operand, name: &str) -> bool {
+    matches!(operand, Operand::Name { word, .. } if word.text.eq_ignore_ascii_case(name))
 }

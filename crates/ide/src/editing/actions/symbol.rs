@@ -28,7 +28,13 @@ pub(super) fn actions(at: &At<'_>) -> Option<Action> {
             let spelled = operand.spell(mnemonics).replace(' ', "").replace('.', "_");
             (free_name(at, &format!("Tag_{spelled}")), operand)
         }
-        Written::Global(_) if resolved.is_none() && quotes_names(at.snapshot.language(at.text)?) => (written.to_owned(), free_address(at)),
+        Written::Global(_) if resolved.is_none() && quotes_names(at.snapshot.language(at.text)?) => {
+            let Some(free) = free_address(at) else {
+                let title = format!("Add a symbol `{written}`");
+                return Some(Action::disabled(Kind::QuickFix, title, format!("the first {BYTES_MAX} bytes of bit memory are all in use")));
+            };
+            (written.to_owned(), free)
+        }
         Written::Plain(_) if resolved.is_none() && !quotes_names(at.snapshot.language(at.text)?) => return None,
         _ => return None,
     };
@@ -93,7 +99,7 @@ fn free_name(at: &At<'_>, wanted: &str) -> String {
 }
 
 /// Bit memory that nothing uses: a bit or a word, as the instruction takes it.
-fn free_address(at: &At<'_>) -> Operand {
+fn free_address(at: &At<'_>) -> Option<Operand> {
     let mut used = HashSet::new();
     for source in at.snapshot.names().texts() {
         let written = source.addresses().iter().filter_map(|&index| source.occurrence(index));
@@ -121,6 +127,6 @@ fn free_address(at: &At<'_>) -> Operand {
     let width = if matches!(word.as_str(), "L" | "T") { Width::Word } else { Width::Bit };
     let is_free =
         |byte: &u32| (*byte..*byte + width.bytes()).all(|byte| !used.contains(&byte)) && (width == Width::Bit || byte.is_multiple_of(2));
-    let byte = (0..BYTES_MAX).find(is_free).unwrap_or(0);
-    Operand::Address(Address { area: Area::BitMemory, width, byte, bit: 0 })
+    let byte = (0..BYTES_MAX).find(is_free)?;
+    Some(Operand::Address(Address { area: Area::BitMemory, width, byte, bit: 0 }))
 }
