@@ -236,6 +236,10 @@ impl Hub {
     /// One look: at what the replay has seen, else at the CPU as it stands.
     fn look(&self, wanted: &Wanted, was_replayed: bool, looks: u64) -> Result<Shot, Closed> {
         let taken = if was_replayed { lock(&self.seen).take() } else { None };
+        // A replay that is slower than the looks before it is not shown after them.
+        let run = self.facts.facts().run;
+        let shown = self.newest.borrow().as_ref().filter(|shot| shot.program.facts.run == run).map(|shot| shot.head.scan);
+        let taken = taken.filter(|seen| shown.is_none_or(|shown| shown <= seen.scan));
         let (program, is_replayed, (mut head, standing, lamps)) = loop {
             let program = self.program();
             let items = self.items(wanted, &program);

@@ -34,6 +34,8 @@ const READ_BYTES_MAX: usize = 32 * FRAME_BYTES_MAX;
 const SEND_WAIT_MAX: Duration = Duration::from_secs(15);
 /// How long a page may wait with its first message.
 const HELLO_WAIT_MAX: Duration = Duration::from_secs(10);
+/// How long what a page still sends is taken in after the farewell.
+const UNREAD_WAIT_MAX: Duration = Duration::from_secs(5);
 /// How often a page is asked whether it is still there, in microseconds: one that wants no messages says nothing by itself.
 const PING_US: u64 = 10_000_000;
 /// Longest wait before it is looked whether a page is still there.
@@ -58,7 +60,7 @@ pub(super) fn upgrade(upgrade: WebSocketUpgrade, shared: Arc<Shared>, peer: Sock
         }
         let _ = timeout(LOOK_AGAIN, socket.send(Message::Close(None))).await;
         // What the page has sent meanwhile is taken in: a connection that ends with something unread loses what was said last.
-        let _ = timeout(LOOK_AGAIN, async { while let Some(Ok(_)) = socket.recv().await {} }).await;
+        let _ = timeout(UNREAD_WAIT_MAX, async { while let Some(Ok(_)) = socket.recv().await {} }).await;
     })
 }
 
