@@ -242,6 +242,8 @@ fn a_network_is_drawn_and_a_test_is_run() {
     let at = position(&marked(MAIN, "TITLE = Dosing"));
     let drawn = client.result("workspace/executeCommand", json!({ "command": "sieben.showDiagram", "arguments": [uri, at] }));
     assert_eq!(drawn["network"], 2, "{drawn}");
+    let head = client.ask("workspace/executeCommand", json!({ "command": "sieben.showDiagram", "arguments": [uri, position("|")] }));
+    assert_eq!(head["error"]["code"], -32803, "above the first network there is none: {head}");
     let test = "TEST 'it doses'\n  ASSERT_EQ(1, 1);\nEND_TEST\n\nTEST 'it does not'\n  ASSERT_EQ(1, 2);\nEND_TEST\n";
     std::fs::write(client.folder.join("plant.test.st"), test).expect("it can be written");
     client.open("plant.test.st", test);

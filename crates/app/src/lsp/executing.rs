@@ -84,12 +84,19 @@ fn refused_later() -> lsp_server::ResponseError {
     lsp_server::ResponseError { code: LATER, message: String::new(), data: None }
 }
 
-/// The bytes of the network that a byte belongs to; those of the block where it stands in none.
+/// The bytes of the network that a byte belongs to; those of a block without networks, which is one.
 fn network_at(rows: &[Row], byte: usize) -> Option<Range<usize>> {
     let row = rows.iter().rfind(|row| (row.whole.0..=row.whole.1).contains(&byte))?;
-    let inner = network_at(&row.rows, byte);
-    let is_block = !matches!(row.kind, Kind::Section | Kind::Variable | Kind::Constant | Kind::Label);
-    inner.or_else(|| is_block.then_some(row.whole.0..row.whole.1))
+    let is_whole = match row.kind {
+        Kind::Network => true,
+        Kind::Section | Kind::Variable | Kind::Constant | Kind::Label => false,
+        _ => !has_networks(row),
+    };
+    network_at(&row.rows, byte).or_else(|| is_whole.then_some(row.whole.0..row.whole.1))
+}
+
+fn has_networks(row: &Row) -> bool {
+    row.rows.iter().any(|row| row.kind == Kind::Network || has_networks(row))
 }
 
 /// The network at a position as SVG: `[uri, position, "lad" | "fbd"]`.
@@ -121,7 +128,6 @@ fn show_diagram(server: &mut Server, arguments: &[Value]) -> Answer {
                 ElementPlaces::Bytes(of, start) => (*of == file).then_some(*start),
             };
             let Some(first) = first.filter(|first| within.contains(&(*first as usize))) else { continue };
-            // A block without networks is one; in others the bytes are those of one network.
             if best.as_ref().is_none_or(|(known, ..)| first < *known) {
                 best = Some((first, block, network));
             }
