@@ -22,7 +22,7 @@ pub(crate) fn names(name: &str, text: &str, dialect: Dialect) -> SourceNames {
     if dialect == Dialect::Codesys {
         super::declare::name_lists(&mut parsed.file, name);
     }
-    let mut collector = Collector { to: Builder::new(text, None) };
+    let mut collector = Collector { to: Builder::new(text, None), calls_with_data_blocks: dialect == Dialect::Scl };
     collector.items(&parsed.file.items);
     let mut names = collector.to.finish();
     names.is_test = dialect.is_test();
@@ -31,6 +31,8 @@ pub(crate) fn names(name: &str, text: &str, dialect: Dialect) -> SourceNames {
 
 struct Collector<'t> {
     to: Builder<'t>,
+    /// `FB10.DB20(…)` calls a function block with a data block, as in S7-SCL.
+    calls_with_data_blocks: bool,
 }
 
 /// What a section declares, in a block of a kind.

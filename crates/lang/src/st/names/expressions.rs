@@ -6,7 +6,7 @@ use super::{Collector, bytes, numbered, written};
 use crate::names::{Access, Bytes, DefinitionKind, Written};
 use crate::st::ast::{
     self, Address, AddressWidth, Argument, AssignOperator, Call, CaseLabel, DataAddress, DiagramBox, Direction, Expression, ExpressionKind,
-    Position, Statement, StatementKind,
+    Name, Position, Quoting, Statement, StatementKind,
 };
 
 impl Address {
@@ -135,8 +135,29 @@ impl Collector<'_> {
         }
     }
 
+    /// The block and the data block of `FB10.DB20(…)`: where the first name is none of the block's own, there is nothing else that it may be.
+    fn called_with<'e>(&self, callee: &'e Expression) -> Option<(&'e Expression, &'e Name)> {
+        let ExpressionKind::Member(block, data) = &callee.kind else { return None };
+        let is_block = match &block.kind {
+            ExpressionKind::Name(name) => name.quoting != Quoting::Local && self.to.variable(&name.text).is_none(),
+            ExpressionKind::Global(_) => true,
+            _ => false,
+        };
+        (self.calls_with_data_blocks && is_block).then_some((&**block, data))
+    }
+
     fn call(&mut self, call: &Call, span: Bytes) -> Option<u32> {
-        let callee = self.expression(&call.callee, Access::Call);
+        let callee = match self.called_with(&call.callee) {
+            Some((block, data)) => {
+                let callee = self.expression(block, Access::Call);
+                match numbered(data) {
+                    Some(operand) => self.to.operand(operand, data.span, Access::Instance),
+                    None => self.to.name(&data.text, data.span, written(data), Access::Instance),
+                };
+                callee
+            }
+            None => self.expression(&call.callee, Access::Call),
+        };
         if let Some(callee) = callee {
             let argument = |argument: &Argument| (bytes(argument.span), argument.name.is_some());
             self.to.call(callee, span, call.arguments.iter().map(argument).collect());
