@@ -182,8 +182,8 @@ fn is_free(snapshot: &Snapshot, target: DefId, new_name: &str, uses: &[(Found, P
             let block = one.scope.and_then(|scope| source.definition(scope)).map_or("", |block| block.name.as_str());
             return Err(format!("`{block}` declares `{new_name}` itself, so that it would mean something else there"));
         }
-        // What has the new name already and means something global would mean the variable.
-        if !is_global {
+        // What has the new name already and means something global would mean the variable, where that is declared.
+        if !is_global && !matches!(one.written, Written::Member(..) | Written::Parameter(..)) {
             let captured = source.occurrences_of(&new_key).iter().filter_map(|&index| Some((index, source.occurrence(index)?)));
             let mut captured = captured.filter(|(_, other)| other.scope == one.scope && matches!(other.written, Written::Plain(_)));
             if captured.any(|(index, _)| names.resolve(found.text, index).is_none_or(|other| other != target)) {
