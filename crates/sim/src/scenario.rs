@@ -247,11 +247,12 @@ const SCANS_MAX: u64 = 1_000_000;
 const WORDS: &str = "`cpu`, `cycle`, `min-cycle`, `cyclic`, `image-errors`, `modules`, `module`, `fault`, `mend`, `retain`, `set`, `force`, `unforce`, `scan`, `at`, `start`, `clock`, `interrupt`, `restart`, `power`, `expect`, `always`, `table` or `known-gap`";
 
 impl Scenario {
-    /// Reads a scenario.
+    /// Reads a scenario, with or without a byte order mark.
     ///
     /// # Errors
     /// All lines that are not understood.
     pub fn parse(text: &str) -> Result<Self, Vec<ScenarioError>> {
+        let text = text.trim_start_matches('\u{FEFF}');
         let mut scenario = Self { cycle_us: CYCLE_US, ..Self::default() };
         let mut errors = Vec::new();
         for (index, line) in text.lines().enumerate() {

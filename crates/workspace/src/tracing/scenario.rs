@@ -14,7 +14,7 @@ use crate::refusal::Refusal;
 /// # Errors
 /// What is wrong, line by line.
 pub fn read(name: &str, text: &str) -> Result<Scenario, Vec<Refusal>> {
-    Scenario::parse(text.trim_start_matches('\u{FEFF}')).map_err(|errors| {
+    Scenario::parse(text).map_err(|errors| {
         let refusal = |error: ScenarioError| Refusal::new(Problem::P6260, format!("{name}:{}: {}", error.line, error.message));
         errors.into_iter().map(refusal).collect()
     })
