@@ -236,14 +236,13 @@ impl Hub {
     /// One look: at what the replay has seen, else at the CPU as it stands.
     fn look(&self, wanted: &Wanted, was_replayed: bool, looks: u64) -> Result<Shot, Closed> {
         let taken = if was_replayed { lock(&self.seen).take() } else { None };
-        // A replay that is slower than the looks before it is not shown after them.
-        let run = self.facts.facts().run;
-        let shown = self.newest.borrow().as_ref().filter(|shot| shot.program.facts.run == run).map(|shot| shot.head.scan);
-        let taken = taken.filter(|seen| shown.is_none_or(|shown| shown <= seen.scan));
-        let (program, is_replayed, (mut head, standing, lamps)) = loop {
+        let (program, before, is_replayed, (mut head, standing, lamps)) = loop {
             let program = self.program();
+            let before = self.before(&program);
             let items = self.items(wanted, &program);
-            let is_replayed = taken.as_ref().is_some_and(|seen| seen.version == program.version);
+            // A replay that is slower than the looks before it is not shown after them.
+            let is_next = |seen: &Seen| before.as_ref().is_none_or(|shot| shot.head.scan <= seen.scan);
+            let is_replayed = taken.as_ref().is_some_and(|seen| seen.version == program.version && is_next(seen));
             let looked = self.gate.look(|plant| {
                 // Programs take over between two scans: at the gate it is certain which one runs.
                 (self.facts.version() == program.version).then(|| {
@@ -252,7 +251,7 @@ impl Hub {
                 })
             })?;
             if let Some(looked) = looked {
-                break (program, is_replayed, looked);
+                break (program, before, is_replayed, looked);
             }
         };
         let replayed = taken.filter(|_| is_replayed);
@@ -280,7 +279,6 @@ impl Hub {
         if wanted.common.contains(&Common::Leds) {
             common.insert(Common::Leds, leds(seen.mode, lamps));
         }
-        let before = self.before(&program);
         let flows = self.flows(wanted, &program, seen.sample.as_deref(), before.as_deref());
         let (position, pending) = Default::default();
         Ok(Shot { head, program, sample: seen.sample, position, pending, reasons, flows, tags: seen.tags, common })

@@ -128,8 +128,13 @@ fn span(hub: &Hub, (from, to): (u64, u64)) -> Result<(u64, u64), Refusal> {
     if from > newest.scan || to < oldest.scan {
         return Err(not_kept(Gone::NotKept));
     }
-    let to = to.min(newest.scan);
-    Ok((from.max(to.saturating_sub(SCANS_MAX - 1)), to))
+    Ok(newest_of((from, to), newest.scan))
+}
+
+/// Those of some scans that there are, and of too many the newest ones.
+fn newest_of((from, to): (u64, u64), newest: u64) -> (u64, u64) {
+    let to = to.min(newest);
+    (from.max(to.saturating_sub(SCANS_MAX - 1)), to)
 }
 
 /// Values of the past, where they became others.
@@ -139,8 +144,7 @@ fn span(hub: &Hub, (from, to): (u64, u64)) -> Result<(u64, u64), Refusal> {
 pub(crate) fn history(hub: &Hub, viewer: &mut Viewer, asked: &History) -> Result<Json, Refusal> {
     let program = hub.program();
     let items: Vec<Option<Item>> = asked.channels.iter().map(|name| item_of(name, &program)).collect();
-    let to = asked.to.min(hub.desk.past().range().map_or(0, |(_, newest)| newest.scan));
-    let from = asked.from.max(to.saturating_sub(SCANS_MAX - 1));
+    let (from, to) = newest_of((asked.from, asked.to), hub.desk.past().range().map_or(0, |(_, newest)| newest.scan));
     let mut changes =
         Changes { items: &items, last: vec![None; items.len()], points: vec![Vec::new(); items.len()], seen: None, times: Vec::new() };
     let look = |seen: Seen<'_>| {
