@@ -150,10 +150,7 @@ impl Collector<'_> {
         let callee = match self.called_with(&call.callee) {
             Some((block, data)) => {
                 let callee = self.expression(block, Access::Call);
-                match numbered(data) {
-                    Some(operand) => self.to.operand(operand, data.span, Access::Instance),
-                    None => self.to.name(&data.text, data.span, written(data), Access::Instance),
-                };
+                self.named(data, Access::Instance);
                 callee
             }
             None => self.expression(&call.callee, Access::Call),
@@ -166,6 +163,14 @@ impl Collector<'_> {
         callee
     }
 
+    /// A name: a block by its number, where no variable is called so.
+    fn named(&mut self, name: &Name, access: Access) -> Option<u32> {
+        match numbered(name).filter(|_| self.to.variable(&name.text).is_none()) {
+            Some(operand) => self.to.operand(operand, name.span, access),
+            None => self.to.name(&name.text, name.span, written(name), access),
+        }
+    }
+
     /// The names of an expression; gives the last one of its path.
     pub(super) fn expression(&mut self, expression: &Expression, access: Access) -> Option<u32> {
         match &expression.kind {
@@ -174,10 +179,7 @@ impl Collector<'_> {
             | ExpressionKind::Super
             | ExpressionKind::Wire(_)
             | ExpressionKind::Missing => None,
-            ExpressionKind::Name(name) => match numbered(name).filter(|_| self.to.variable(&name.text).is_none()) {
-                Some(operand) => self.to.operand(operand, name.span, access),
-                None => self.to.name(&name.text, name.span, written(name), access),
-            },
+            ExpressionKind::Name(name) => self.named(name, access),
             ExpressionKind::Global(name) => self.to.name(&name.text, name.span, Written::Global, access),
             ExpressionKind::EnumValue { of, value } => {
                 let of = self.type_path(of, Access::Type)?;
