@@ -307,12 +307,9 @@ impl Server {
             self.log(1, &error.message);
             self.folders.forget();
         }
-        match tests {
-            Tests::Typed => {
-                self.took = begun.elapsed();
-                self.tests_due = self.folders.has_old_tests().then(|| Instant::now() + TESTS_WAIT);
-            }
-            Tests::All => {}
+        if tests == Tests::Typed {
+            self.took = begun.elapsed();
+            self.tests_due = self.folders.has_old_tests().then(|| Instant::now() + TESTS_WAIT);
         }
     }
 
