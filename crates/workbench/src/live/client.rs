@@ -17,7 +17,7 @@ use super::wanted::Wanted;
 
 /// Subscriptions that a page has at most.
 pub const SUBSCRIPTIONS_MAX: usize = 64;
-/// Messages that a page sends in a second at most.
+/// Messages that a page sends in a second at most, beside acknowledgements of what it was sent.
 pub const MESSAGES_PER_SECOND_MAX: usize = 50;
 /// Messages that a page is sent in a second at most.
 pub const UPDATES_PER_SECOND_MAX: u32 = 20;
@@ -109,13 +109,21 @@ impl Client {
                 self.has_changed = true;
                 self.subscriptions.remove(&id);
             }
-            Said::Acknowledge(sequence) => self.open.retain(|&(open, _)| open > sequence),
+            Said::Acknowledge(sequence) => self.acknowledge(sequence),
             Said::Rate(hz) => self.rate = hz.min(UPDATES_PER_SECOND_MAX),
             Said::At(at) => return Ok(Some(Asked::At(at))),
             Said::History(history) => return Ok(Some(Asked::History(history))),
             Said::Who(who) => return Ok(Some(Asked::Who(who))),
         }
         Ok(None)
+    }
+
+    /// What acknowledges a message is not counted: there are no more of these than messages, and they come late and many at once where the computer is busy.
+    fn acknowledge(&mut self, sequence: u64) {
+        if self.open.iter().any(|&(open, _)| open == sequence) {
+            self.heard.pop_back();
+        }
+        self.open.retain(|&(open, _)| open > sequence);
     }
 
     fn speak(&mut self, speech: Speech) {

@@ -228,7 +228,7 @@ const LOOK_MS = 500;
 /** What a page in sight gets, what a hidden one gets, and after how long it gets nothing at all. */
 const RATE = { seen: 20, hidden: 2, none: 0 };
 const HIDDEN_MS = 5 * 60_000;
-/** A page may say 50 things a second, of which 20 acknowledge: so many of the others at once, and so many a second. */
+/** A page may say 50 things a second beside acknowledgements: so many at once, and so many a second, because they arrive late and together where the computer is busy. */
 const AT_ONCE = 12;
 const A_SECOND = 16;
 

@@ -114,6 +114,20 @@ fn every_limit_is_kept() {
 }
 
 #[test]
+fn acknowledgements_that_come_late_and_all_at_once_are_not_too_much() {
+    let mut client = page();
+    let sent: Vec<_> = (0..30).filter_map(|step| update(&mut client, step, step * 50_000)).collect();
+    for number in 1..MESSAGES_PER_SECOND_MAX as u64 {
+        hear(&mut client, r#"{"t":"rate","hz":20}"#, 1_500_000 + number).expect("it is one of few");
+    }
+    for message in &sent {
+        acknowledge(&mut client, message, 1_600_000);
+    }
+    acknowledge(&mut client, &sent[0], 1_600_000);
+    assert!(hear(&mut client, &json!({ "t": "ack", "seq": sent[0]["seq"] }).to_string(), 1_600_000).is_err(), "nothing of that is open");
+}
+
+#[test]
 fn a_page_chooses_how_often_and_none_at_all() {
     let mut client = page();
     hear(&mut client, r#"{"t":"rate","hz":2}"#, 0).expect("it is understood");
