@@ -1,0 +1,4 @@
+//! Campaigns: very many scenarios of one program, each a pure function of the program, the file of the campaign, a seed and a number.
+#![forbid(unsafe_code)]
+
+pub mod spec;
