@@ -1,4 +1,8 @@
 //! Campaigns: very many scenarios of one program, each a pure function of the program, the file of the campaign, a seed and a number.
 #![forbid(unsafe_code)]
 
+pub mod judge;
+pub mod row;
+pub mod slots;
 pub mod spec;
+pub mod tally;

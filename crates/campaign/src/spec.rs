@@ -24,7 +24,7 @@ pub enum Value {
 }
 
 /// All that the file says.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Spec {
     /// `campaign.name`; the name of the file where it is left out.
     pub name: Option<String>,

@@ -27,6 +27,11 @@ impl ImageErrors {
     pub fn from_name(name: &str) -> Option<Self> {
         Self::NAMES.iter().find(|(word, _)| *word == name).map(|&(_, setting)| setting)
     }
+
+    /// Its word.
+    pub fn name(self) -> &'static str {
+        Self::NAMES.iter().find(|(_, setting)| *setting == self).map_or("off", |(word, _)| word)
+    }
 }
 
 /// How a CPU is set up.

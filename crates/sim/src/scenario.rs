@@ -5,6 +5,7 @@
 //! ```text
 //! cpu 416-3                            the CPU type (default: that of the caller)
 //! cycle 10ms                           distance of two scans (default 10ms)
+//! plant oven gain=181.3 seed=7         parameters of a simulated plant, instead of those of the project
 //! modules 0..63                        only these peripheral bytes have a module (default: all); `modules none`
 //! set I 0.0=1 MW10=16#0102 ACCU1=5     before the next scan
 //! force I 0.0=1 Q 4.0=0                from the next scan on, until
@@ -40,11 +41,13 @@
 //! Scan k begins at k times the cycle, the first at 0. A table row begins with the `set` lines above it.
 
 mod held;
+pub mod made;
 mod parse;
 pub mod recorder;
 pub mod rules;
 mod run;
 mod spelling;
+mod text;
 
 use std::cell::RefCell;
 use std::fmt;
@@ -57,7 +60,7 @@ use sieben_model::cpu_type::CpuType;
 use sieben_model::symbols::SymbolTable;
 
 pub use held::{Difference, Holding};
-use parse::{assignments, byte_range, cyclic, date_and_time, duration, expect, interrupt, name_list, retain, scan, without_comment};
+use parse::{assignments, byte_range, cyclic, date_and_time, duration, expect, interrupt, name_list, plant, retain, scan, without_comment};
 pub use rules::Rules;
 use run::Run;
 
@@ -167,7 +170,19 @@ pub struct Scenario {
     start: Option<Restart>,
     start_with: Assignments,
     clock: Option<DateAndTime>,
+    plants: Vec<PlantLine>,
     lines: Vec<Line>,
+}
+
+/// Parameters of a simulated plant, instead of those of the project.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PlantLine {
+    /// The module, as the project calls it.
+    pub module: String,
+    /// What its random numbers begin with.
+    pub seed: Option<u64>,
+    /// Parameters with their values.
+    pub parameters: Vec<(String, f64)>,
 }
 
 /// What a recording says of itself.
@@ -244,7 +259,7 @@ const CYCLE_US: u64 = 10_000;
 const SCANS_MAX: u64 = 1_000_000;
 
 /// The words a line can begin with.
-const WORDS: &str = "`cpu`, `cycle`, `min-cycle`, `cyclic`, `image-errors`, `modules`, `module`, `fault`, `mend`, `retain`, `set`, `force`, `unforce`, `scan`, `at`, `start`, `clock`, `interrupt`, `restart`, `power`, `expect`, `always`, `table` or `known-gap`";
+const WORDS: &str = "`cpu`, `cycle`, `min-cycle`, `cyclic`, `image-errors`, `modules`, `module`, `plant`, `fault`, `mend`, `retain`, `set`, `force`, `unforce`, `scan`, `at`, `start`, `clock`, `interrupt`, `restart`, `power`, `expect`, `always`, `table` or `known-gap`";
 
 impl Scenario {
     /// Reads a scenario, with or without a byte order mark.
@@ -317,6 +332,11 @@ impl Scenario {
     #[must_use]
     pub fn with_settings(self, min_cycle: Duration, image_errors: ImageErrors) -> Self {
         Self { min_cycle_us: u64::try_from(min_cycle.as_micros()).unwrap_or(u64::MAX), image_errors, ..self }
+    }
+
+    /// Parameters of simulated plants that it has instead of those of the project.
+    pub fn plants(&self) -> &[PlantLine] {
+        &self.plants
     }
 
     /// Whether it has rows that are a run of their own each.
@@ -401,6 +421,10 @@ impl Scenario {
                 if self.cycle_us == 0 {
                     return Err("a cycle lasts more than 0".to_owned());
                 }
+                return Ok(());
+            }
+            "plant" => {
+                self.plants.push(plant(rest)?);
                 return Ok(());
             }
             "cyclic" => {

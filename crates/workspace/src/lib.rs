@@ -5,6 +5,7 @@
 //! starts the threads that call in here.
 #![forbid(unsafe_code)]
 
+pub mod campaign;
 pub mod control;
 pub mod controller;
 pub mod coverage;

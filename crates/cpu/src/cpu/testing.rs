@@ -15,6 +15,9 @@ use crate::system_state::{Asked, Mock};
 /// Safe points that a test runs before whoever runs it is asked whether it may go on.
 const SLICE_POINTS: i64 = 1_000_000;
 
+/// Safe points that a block which only looks may pass: one that passes more does not end.
+const LOOK_POINTS: i64 = 1_000_000;
+
 /// How far a test came.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum TestStep {
@@ -51,6 +54,27 @@ impl Cpu {
         let step = self.run_test(Go::Resume, tracer);
         self.class = class;
         step
+    }
+
+    /// Runs a block of a test that only looks, between two scans: no input becomes another one, and nothing is put aside. What it
+    /// computes lies in its own data. `false` if a statement of it would stop the CPU, which goes on as if it had not been run.
+    pub fn look_with(&mut self, block: BlockId) -> bool {
+        self.class = StartInformation::cycle(self.restart, self.cycle.number, &self.cycle.times);
+        let entry = self.entry(block, None);
+        let now = self.now_us;
+        self.watchdog = Watchdog::new(false, now, u64::MAX, LOOK_POINTS);
+        self.testing = true;
+        let requested = self.requested_us;
+        let outcome = self.run(Go::Enter(entry), &mut || now, None);
+        self.requested_us = requested;
+        self.testing = false;
+        let finished = matches!(outcome, Outcome::Finished);
+        if !finished {
+            self.machine.frames.clear();
+            self.machine.parameters.clear();
+            self.system.asked = None;
+        }
+        finished
     }
 
     fn run_test(&mut self, go: Go, mut tracer: Option<&mut dyn Tracer>) -> TestStep {

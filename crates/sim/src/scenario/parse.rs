@@ -6,7 +6,7 @@ use sieben_cpu::retain::Numbers;
 use sieben_cpu::{CyclicInterrupt, DateAndTime, Interrupt, OperatingMode, RetentiveAreas};
 use sieben_model::literal::{self, Value};
 
-use super::{Assignment, Assignments, Command, SCANS_MAX};
+use super::{Assignment, Assignments, Command, PlantLine, SCANS_MAX};
 use crate::{duration as durations, names};
 
 /// Cuts a comment: a line that begins with `//`, or the rest behind ` //` outside of quotes.
@@ -43,6 +43,23 @@ pub(super) fn assignments(text: &str) -> Result<Assignments, String> {
         return Err("write at least one `NAME=VALUE`".to_owned());
     }
     Ok(out.into_iter().map(|(name, value)| Assignment::written(name, value)).collect())
+}
+
+/// `oven gain=181.3 seed=7`.
+pub(super) fn plant(rest: &str) -> Result<PlantLine, String> {
+    let wanted = || format!("`plant {rest}` is not understood; write the plant and its parameters: `plant oven gain=181.3 seed=7`");
+    let (module, values) = rest.split_once(char::is_whitespace).ok_or_else(wanted)?;
+    let mut line = PlantLine { module: module.to_owned(), ..PlantLine::default() };
+    for word in values.split_whitespace() {
+        match word.split_once('=').ok_or_else(wanted)? {
+            ("seed", value) => line.seed = Some(value.parse().map_err(|_| format!("`{value}` is no seed; write a whole number"))?),
+            (name, value) => {
+                let number = value.parse::<f64>().ok().filter(|number| number.is_finite());
+                line.parameters.push((name.to_owned(), number.ok_or_else(|| format!("`{value}` is no number for `{name}`"))?));
+            }
+        }
+    }
+    Ok(line)
 }
 
 pub(super) fn scan(rest: &str) -> Result<Command, String> {

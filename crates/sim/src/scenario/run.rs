@@ -1,7 +1,7 @@
 //! A CPU on its way through a scenario.
 
 use std::cell::RefCell;
-use std::collections::HashMap;
+use std::collections::{HashMap, VecDeque};
 
 use sieben_cpu::retain::Adoption;
 use sieben_cpu::{Cpu, OperatingMode, Restart};
@@ -24,8 +24,8 @@ pub(super) struct Run<'a, 'o> {
     last_us: Option<u64>,
     /// When the next scan begins.
     next_us: u64,
-    /// Changes to come, with the line that orders them.
-    changes: Vec<(u64, usize, Assignments)>,
+    /// Changes to come in the order of their times, with the line that orders them.
+    changes: VecDeque<(u64, usize, Assignments)>,
     /// The line that is carried out.
     pub(super) line: usize,
     stop_expected: bool,
@@ -55,7 +55,7 @@ impl<'a, 'o> Run<'a, 'o> {
             cycle_us: scenario.cycle_us(),
             last_us: None,
             next_us: 0,
-            changes: Vec::new(),
+            changes: VecDeque::new(),
             line: 1,
             stop_expected: false,
             failures: Vec::new(),
@@ -162,7 +162,8 @@ impl<'a, 'o> Run<'a, 'o> {
                 }
                 _ => {
                     self.tell_assignments(&format!("at {}", spelling::time(*time)), assignments);
-                    self.changes.push((*time, self.line, assignments.clone()));
+                    let place = self.changes.partition_point(|change| change.0 <= *time);
+                    self.changes.insert(place, (*time, self.line, assignments.clone()));
                 }
             },
             Command::InterruptAt(time, interrupt) => match self.last_us {
@@ -331,9 +332,7 @@ impl<'a, 'o> Run<'a, 'o> {
             return;
         }
         let line = self.line;
-        self.changes.sort_by_key(|change| change.0);
-        let due = self.changes.iter().take_while(|change| change.0 <= now).count();
-        for (time, line, assignments) in self.changes.drain(..due).collect::<Vec<_>>() {
+        while let Some((time, line, assignments)) = self.changes.pop_front_if(|change| change.0 <= now) {
             self.line = line;
             for assignment in &assignments {
                 let done = self.setting(assignment).and_then(|setting| setting.name.set_at(&mut self.cpu, &setting.value, time));

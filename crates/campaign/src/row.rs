@@ -1,0 +1,66 @@
+//! What came of one scenario.
+
+use crate::judge::Scan;
+use crate::spec::Value;
+
+/// How a scenario ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Verdict {
+    /// All properties held.
+    Pass,
+    /// A property did not hold.
+    Fail,
+    /// The CPU went to STOP.
+    Stop,
+    /// It did not end within its limit.
+    Limit,
+    /// It could not be run or judged.
+    Error,
+}
+
+impl Verdict {
+    /// All of them.
+    pub const ALL: [Self; 5] = [Self::Pass, Self::Fail, Self::Stop, Self::Limit, Self::Error];
+
+    /// The word of results.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Pass => "pass",
+            Self::Fail => "fail",
+            Self::Stop => "stop",
+            Self::Limit => "limit",
+            Self::Error => "error",
+        }
+    }
+}
+
+/// What came of one scenario.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    /// Its number.
+    pub scenario: u64,
+    /// Its seed.
+    pub seed: u64,
+    /// How it ended.
+    pub verdict: Verdict,
+    /// The property that broke, by its place in the file.
+    pub property: Option<usize>,
+    /// Where it ended before its time.
+    pub at: Option<Scan>,
+    /// Scans that were run.
+    pub scans: u64,
+    /// Virtual time of the last one, in microseconds.
+    pub virtual_us: u64,
+    /// 64 bits over the outputs that changed, with their scans.
+    pub trace_hash: u64,
+    /// What was swept and drawn, in the order of the file: what walks has no value.
+    pub parameters: Vec<Option<Value>>,
+    /// How signals of plants failed.
+    pub faults: Vec<String>,
+    /// What was measured, in the order of the file.
+    pub measures: Vec<Option<f64>>,
+    /// Of each property whether it was true at least once, where that is asked.
+    pub came: Vec<bool>,
+    /// What is to be said about a STOP or an error.
+    pub message: Option<String>,
+}

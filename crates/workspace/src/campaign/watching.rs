@@ -1,0 +1,226 @@
+//! The expressions of a campaign as a part of the program: a test block that computes all of them after a scan.
+
+use std::fmt::Write as _;
+use std::path::Path;
+
+use sieben_campaign::slots::{Slot, Wanted, slots};
+use sieben_campaign::spec::Spec;
+use sieben_cpu::Cpu;
+use sieben_lang::st::dialect::Dialect;
+use sieben_model::address::Operand;
+use sieben_model::block::BlockId;
+use sieben_model::diagnostic::Diagnostic;
+use sieben_model::problems::Problem;
+use sieben_model::source::{FileId, Span};
+use sieben_model::types::DataType;
+use sieben_sim::names::Name;
+
+use crate::finding::{Finding, Origin};
+use crate::project::{Build, Overrides, Project};
+
+/// What the source of the expressions is called; it is no file.
+const SOURCE: &str = "campaign.test.st";
+
+/// Where the expressions of a campaign lie in a program.
+#[derive(Clone, Debug)]
+pub struct Watching {
+    block: BlockId,
+    values: Vec<Computed>,
+}
+
+/// A variable that the value of an expression is stored in.
+#[derive(Clone, Debug)]
+struct Computed {
+    name: Name,
+    as_number: As,
+}
+
+/// How its bits are a number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum As {
+    Boolean,
+    Real,
+    LongReal,
+}
+
+/// A project with the expressions of a campaign, compiled.
+pub struct Watched {
+    /// The program with the block that computes them.
+    pub build: Build,
+    /// Where they lie.
+    pub watching: Watching,
+}
+
+/// Compiles a project together with the expressions of a campaign.
+///
+/// # Errors
+/// The program does not compile, then with its findings; or an expression does not, then with its place in the file of the campaign.
+pub fn compile(project: &Project, spec: &Spec, overrides: Overrides) -> Result<Watched, Failed> {
+    let all = slots(spec);
+    let mut wrong: Vec<Diagnostic> = all.iter().filter_map(statements).collect();
+    if !wrong.is_empty() {
+        return Err(Failed::Expressions(wrong));
+    }
+    let dialect = overrides.dialect.or(project.settings.dialect);
+    let real = if dialect.is_none_or(|dialect| dialect == Dialect::Scl) { As::Real } else { As::LongReal };
+    let mut kinds: Vec<As> = all.iter().map(|slot| if slot.wanted == Wanted::Boolean { As::Boolean } else { real }).collect();
+    loop {
+        let source = Source::of(&all, &kinds);
+        let mut with = project.clone();
+        with.add_source(Path::new(SOURCE), source.text.as_bytes());
+        let file = with.sources.last().map_or(FileId(0), |source| source.id);
+        let build = with.compile(Overrides { tests: true, ..overrides }, false);
+        let mut changed = false;
+        for finding in &build.findings {
+            let diagnostic = &finding.diagnostic;
+            if finding.origin != Origin::Program || diagnostic.span.file != file || finding.severity() != sieben_model::diagnostic::Severity::Error {
+                continue;
+            }
+            let Some(index) = source.slot_at(diagnostic.span.start) else { continue };
+            // What is only compared is a number if it can be one, else a Boolean.
+            if all[index].wanted == Wanted::Either && kinds[index] != As::Boolean {
+                kinds[index] = As::Boolean;
+                changed = true;
+            } else {
+                wrong.push(source.placed(index, &all[index], diagnostic));
+            }
+        }
+        if changed {
+            wrong.clear();
+            continue;
+        }
+        if !wrong.is_empty() {
+            return Err(Failed::Expressions(wrong));
+        }
+        if crate::finding::has_errors(&build.findings) {
+            return Err(Failed::Program(Box::new(build)));
+        }
+        return match watching(&build, &source, &kinds) {
+            Some(watching) => Ok(Watched { build, watching }),
+            None => Err(Failed::Program(Box::new(build))),
+        };
+    }
+}
+
+/// Why a campaign cannot be compiled.
+pub enum Failed {
+    /// The program does not compile.
+    Program(Box<Build>),
+    /// Expressions do not, with their places in the file of the campaign.
+    Expressions(Vec<Diagnostic>),
+}
+
+/// What is no expression although it could be a part of the source.
+fn statements(slot: &Slot<'_>) -> Option<Diagnostic> {
+    let text = &slot.expression.text;
+    let message = match () {
+        () if text.trim().is_empty() => "an expression is missing here".to_owned(),
+        () if text.contains(';') || text.contains(":=") => {
+            "an expression of Structured Text belongs here, without `;` and `:=`: `\"star\" AND \"delta\"`".to_owned()
+        }
+        () => return None,
+    };
+    Some(Diagnostic::new(Problem::P7160, slot.expression.span, message))
+}
+
+/// The source that is made of the expressions.
+struct Source {
+    text: String,
+    /// Where each expression begins and ends in it.
+    places: Vec<(u32, u32)>,
+}
+
+impl Source {
+    fn of(all: &[Slot<'_>], kinds: &[As]) -> Self {
+        let mut text = String::from("TEST 'campaign'\nVAR\n");
+        for (index, kind) in kinds.iter().enumerate() {
+            // Writing to a string cannot fail.
+            let _ = writeln!(text, "  {} : {};", variable(index), kind.data_type().name());
+        }
+        text.push_str("END_VAR\n");
+        let mut places = Vec::new();
+        for (index, slot) in all.iter().enumerate() {
+            let _ = write!(text, "{} :=\n", variable(index));
+            let start = text.len() as u32;
+            text.push_str(&slot.expression.text);
+            places.push((start, text.len() as u32));
+            text.push_str("\n;\n");
+        }
+        text.push_str("END_TEST\n");
+        Self { text, places }
+    }
+
+    /// The expression at a place, or before it.
+    fn slot_at(&self, at: u32) -> Option<usize> {
+        self.places.partition_point(|&(start, _)| start <= at.saturating_add(1)).checked_sub(1)
+    }
+
+    /// What the compiler says of an expression, at its place in the file of the campaign.
+    fn placed(&self, index: usize, slot: &Slot<'_>, diagnostic: &Diagnostic) -> Diagnostic {
+        let whole = slot.expression.span;
+        let (start, end) = self.places[index];
+        // One that is written with escapes has other bytes in the file.
+        let same = (whole.end - whole.start) as usize == slot.expression.text.len();
+        let at = |offset: u32| whole.start + offset.clamp(start, end) - start;
+        let span = if same { Span::new(whole.file, at(diagnostic.span.start), at(diagnostic.span.end)) } else { whole };
+        let span = if span.start >= span.end { whole } else { span };
+        let told = Diagnostic::new(diagnostic.problem, span, diagnostic.message.clone());
+        match (&diagnostic.help, slot.wanted) {
+            (Some(help), _) => told.help(help.clone()),
+            (None, Wanted::Boolean) => told.help("a property is a Boolean expression in the names of the program: `Level > 95.0 AND NOT Valve`"),
+            (None, _) => told,
+        }
+    }
+}
+
+fn variable(index: usize) -> String {
+    format!("sieben_slot_{index}")
+}
+
+impl As {
+    fn data_type(self) -> DataType {
+        match self {
+            Self::Boolean => DataType::Bool,
+            Self::Real => DataType::Real,
+            Self::LongReal => DataType::LReal,
+        }
+    }
+
+    fn number(self, bits: u64) -> f64 {
+        match self {
+            Self::Boolean => f64::from(u8::from(bits & 1 != 0)),
+            Self::Real => f64::from(f32::from_bits(bits as u32)),
+            Self::LongReal => f64::from_bits(bits),
+        }
+    }
+}
+
+/// Where the values lie.
+fn watching(build: &Build, source: &Source, kinds: &[As]) -> Option<Watching> {
+    let plan = &build.compiled.tests;
+    let block = plan.tests.first()?.block;
+    let mut values = Vec::new();
+    for (index, &as_number) in kinds.iter().enumerate() {
+        // The assignment begins with the name of the variable, before the expression.
+        let begin = source.places[index].0 - (variable(index).len() as u32 + " :=\n".len() as u32);
+        let signal = plan.writes.get(&begin)?;
+        let operand = Operand::InDataBlock { db: signal.data_block?, address: signal.address };
+        values.push(Computed { name: Name::at(variable(index), operand, Some(&signal.data_type)), as_number });
+    }
+    Some(Watching { block, values })
+}
+
+impl Watching {
+    /// Computes all expressions after a scan. `false`: one of them would stop the CPU.
+    pub fn look(&self, cpu: &mut Cpu, values: &mut Vec<f64>) -> bool {
+        values.clear();
+        if self.values.is_empty() {
+            return true;
+        }
+        let looked = cpu.look_with(self.block);
+        let machine = cpu.machine();
+        let value = |computed: &Computed| computed.name.bits_in(machine, &machine.registers).map_or(0.0, |bits| computed.as_number.number(bits));
+        values.extend(self.values.iter().map(value));
+        looked
+    }
+}
