@@ -20,8 +20,12 @@ pub(crate) enum Exit {
     DoesNotCompile = 3,
     /// The CPU went to STOP.
     Stopped = 4,
+    /// The time that it was given is used up.
+    BudgetUsedUp = 5,
     /// Our own mistake.
     Internal = 70,
+    /// It was told to end by Ctrl+C before it was done.
+    Interrupted = 130,
 }
 
 /// A command cannot go on.

@@ -2,6 +2,7 @@
 #![forbid(unsafe_code)]
 
 mod arguments;
+mod campaign;
 mod chosen;
 mod commands;
 mod control;
@@ -107,6 +108,8 @@ enum Verb {
     Bench(commands::bench::Arguments),
     /// Run unit tests, scenarios, and programs that check themselves
     Test(commands::test::Arguments),
+    /// Run a program through very many scenarios: every combination of its inputs, drawn values, faults
+    Campaign(Box<commands::campaign::Arguments>),
     /// Record values over many scans and draw them as a timing diagram
     Trace(Box<commands::trace::Arguments>),
     /// Write down what goes into a program and what comes out, to hold another program against it
@@ -168,6 +171,7 @@ fn run(mut line: CommandLine) -> Exit {
         Some(Verb::Step(arguments)) => commands::step::run(&arguments),
         Some(Verb::Bench(arguments)) => commands::bench::run(&arguments),
         Some(Verb::Test(arguments)) => commands::test::run(&arguments),
+        Some(Verb::Campaign(arguments)) => commands::campaign::run(&arguments),
         Some(Verb::Trace(arguments)) => commands::trace::run(&arguments),
         Some(Verb::Record(arguments)) => commands::record::run(&arguments),
         Some(Verb::Explain(arguments)) => commands::explain::run(&arguments),

@@ -1,7 +1,12 @@
 //! Campaigns: very many scenarios of one program, each a pure function of the program, the file of the campaign, a seed and a number.
 #![forbid(unsafe_code)]
 
+pub mod draws;
+pub mod given;
+pub mod identity;
 pub mod judge;
+pub mod numbering;
+pub mod parse;
 pub mod row;
 pub mod slots;
 pub mod spec;

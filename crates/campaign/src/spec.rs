@@ -1,6 +1,6 @@
 //! What a campaign is asked for, as data: the keys of its file, read and judged for themselves; names of the program are not looked up yet.
 
-use sieben_model::source::Span;
+use sieben_model::source::{FileId, Span};
 use sieben_sim::wrap::FaultKind;
 
 /// A string with its place in the file.
@@ -60,6 +60,13 @@ pub struct Spec {
     pub properties: Vec<Property>,
     /// `[[measure]]`.
     pub measures: Vec<Measure>,
+}
+
+impl Spec {
+    /// Where what is said of all of it stands.
+    pub fn span(&self) -> Span {
+        self.programs.first().map_or(Span::new(FileId(0), 0, 0), |program| program.span)
+    }
 }
 
 /// Which scenarios have a row in the result.

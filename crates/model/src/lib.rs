@@ -14,6 +14,7 @@ pub mod language;
 pub mod literal;
 pub mod mnemonics;
 pub mod name_index;
+pub mod nearest;
 pub mod origin;
 pub mod problems;
 pub mod profile;

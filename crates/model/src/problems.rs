@@ -757,6 +757,22 @@ problems! {
         "eine Variablentabelle, die das Projekt nicht hat" "`GET /api/v1/watch` nennt die vorhandenen: Dateien mit der Endung `.watch` im Projektordner.";
     P7155 Error "a language server that cannot start" "Close programs that need many threads, and start it again."
         "ein Sprachserver, der nicht starten kann" "Programme schließen, die viele Threads brauchen, und ihn erneut starten.";
+    P7156 Error "a campaign whose file cannot be read" "Write it as `docs/reference/campaign-files.md` shows it: TOML, in UTF-8."
+        "eine Kampagne, deren Datei nicht gelesen werden kann" "Sie schreiben, wie `docs/reference/campaign-files.md` es zeigt: TOML, in UTF-8.";
+    P7157 Error "a key or value of a campaign that is not understood" "Correct it; `docs/reference/campaign-files.md` lists all keys and what they take."
+        "ein Schlüssel oder Wert einer Kampagne, der nicht verstanden wird" "Ihn berichtigen; `docs/reference/campaign-files.md` nennt alle Schlüssel und ihre Werte.";
+    P7158 Error "a campaign with more scenarios than can be numbered" "Draw values instead of trying all of them; `samples` says how many."
+        "eine Kampagne mit mehr Szenarien, als nummeriert werden können" "Werte ziehen, statt alle durchzugehen; `samples` sagt, wie viele.";
+    P7159 Error "what campaigns of this version do not have" "Use what the message names instead."
+        "was Kampagnen dieser Version nicht haben" "Stattdessen verwenden, was die Meldung nennt.";
+    P7160 Error "an expression of a campaign that is none" "Write a Boolean expression of Structured Text in the names of the program, of a measure one with a number as its value."
+        "ein Ausdruck einer Kampagne, der keiner ist" "Einen booleschen Ausdruck in Structured Text mit den Namen des Programms schreiben, bei einem Messwert einen, der eine Zahl ergibt.";
+    P7161 Error "a name of a campaign that neither the program nor a plant has" "Write an address, a symbol, a field of a data block, or `PLANT.PARAMETER` of a module of the project."
+        "ein Name einer Kampagne, den weder das Programm noch eine Anlage hat" "Eine Adresse, ein Symbol, ein Feld eines Datenbausteins oder `ANLAGE.PARAMETER` eines Moduls des Projekts schreiben.";
+    P7162 Error "a value of a campaign that does not fit its name" "Write a value of the type that the name has, within its range."
+        "ein Wert einer Kampagne, der nicht zu seinem Namen passt" "Einen Wert des Datentyps schreiben, den der Name hat, innerhalb seines Bereichs.";
+    P7163 Error "a program that a campaign cannot use" "Correct the path in the file of the campaign; it counts from the folder of that file."
+        "ein Programm, das eine Kampagne nicht verwenden kann" "Den Pfad in der Datei der Kampagne berichtigen; er zählt vom Ordner dieser Datei an.";
 
     // 8xxx run time
     P8001 Error "the CPU went to STOP" "Read the diagnostic buffer: it names the block and the statement."

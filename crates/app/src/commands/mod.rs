@@ -2,6 +2,7 @@
 
 pub(crate) mod assignments;
 pub(crate) mod bench;
+pub(crate) mod campaign;
 pub(crate) mod check;
 pub(crate) mod completions;
 pub(crate) mod convert;

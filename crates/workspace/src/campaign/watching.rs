@@ -9,13 +9,13 @@ use sieben_cpu::Cpu;
 use sieben_lang::st::dialect::Dialect;
 use sieben_model::address::Operand;
 use sieben_model::block::BlockId;
-use sieben_model::diagnostic::Diagnostic;
+use sieben_model::diagnostic::{Diagnostic, Severity};
 use sieben_model::problems::Problem;
 use sieben_model::source::{FileId, Span};
 use sieben_model::types::DataType;
 use sieben_sim::names::Name;
 
-use crate::finding::{Finding, Origin};
+use crate::finding::Origin;
 use crate::project::{Build, Overrides, Project};
 
 /// What the source of the expressions is called; it is no file.
@@ -23,7 +23,7 @@ const SOURCE: &str = "campaign.test.st";
 
 /// Where the expressions of a campaign lie in a program.
 #[derive(Clone, Debug)]
-pub struct Watching {
+pub(super) struct Watching {
     block: BlockId,
     values: Vec<Computed>,
 }
@@ -44,18 +44,18 @@ enum As {
 }
 
 /// A project with the expressions of a campaign, compiled.
-pub struct Watched {
+pub(super) struct Watched {
     /// The program with the block that computes them.
-    pub build: Build,
+    pub(super) build: Build,
     /// Where they lie.
-    pub watching: Watching,
+    pub(super) watching: Watching,
 }
 
 /// Compiles a project together with the expressions of a campaign.
 ///
 /// # Errors
 /// The program does not compile, then with its findings; or an expression does not, then with its place in the file of the campaign.
-pub fn compile(project: &Project, spec: &Spec, overrides: Overrides) -> Result<Watched, Failed> {
+pub(super) fn compile(project: &Project, spec: &Spec, overrides: Overrides) -> Result<Watched, Failed> {
     let all = slots(spec);
     let mut wrong: Vec<Diagnostic> = all.iter().filter_map(statements).collect();
     if !wrong.is_empty() {
@@ -73,7 +73,7 @@ pub fn compile(project: &Project, spec: &Spec, overrides: Overrides) -> Result<W
         let mut changed = false;
         for finding in &build.findings {
             let diagnostic = &finding.diagnostic;
-            if finding.origin != Origin::Program || diagnostic.span.file != file || finding.severity() != sieben_model::diagnostic::Severity::Error {
+            if finding.origin != Origin::Program || diagnostic.span.file != file || finding.severity() != Severity::Error {
                 continue;
             }
             let Some(index) = source.slot_at(diagnostic.span.start) else { continue };
@@ -103,7 +103,7 @@ pub fn compile(project: &Project, spec: &Spec, overrides: Overrides) -> Result<W
 }
 
 /// Why a campaign cannot be compiled.
-pub enum Failed {
+pub(super) enum Failed {
     /// The program does not compile.
     Program(Box<Build>),
     /// Expressions do not, with their places in the file of the campaign.
@@ -135,7 +135,7 @@ impl Source {
         let mut text = String::from("TEST 'campaign'\nVAR\n");
         for (index, kind) in kinds.iter().enumerate() {
             // Writing to a string cannot fail.
-            let _ = writeln!(text, "  {} : {};", variable(index), kind.data_type().name());
+            let _ = writeln!(text, "  {} : {};", variable(index), kind.data_type());
         }
         text.push_str("END_VAR\n");
         let mut places = Vec::new();
@@ -182,7 +182,7 @@ impl As {
         match self {
             Self::Boolean => DataType::Bool,
             Self::Real => DataType::Real,
-            Self::LongReal => DataType::LReal,
+            Self::LongReal => DataType::LongReal,
         }
     }
 
@@ -212,7 +212,7 @@ fn watching(build: &Build, source: &Source, kinds: &[As]) -> Option<Watching> {
 
 impl Watching {
     /// Computes all expressions after a scan. `false`: one of them would stop the CPU.
-    pub fn look(&self, cpu: &mut Cpu, values: &mut Vec<f64>) -> bool {
+    pub(super) fn look(&self, cpu: &mut Cpu, values: &mut Vec<f64>) -> bool {
         values.clear();
         if self.values.is_empty() {
             return true;

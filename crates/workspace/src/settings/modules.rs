@@ -8,6 +8,7 @@ use sieben_model::diagnostic::Diagnostic;
 use sieben_model::problems::Problem;
 use sieben_model::source::Span;
 use sieben_sim::devices::{DeviceSettings, Kind, Parameter};
+use sieben_sim::scenario::PlantLine;
 use sieben_sim::wrap::{FAULTS_MAX, Fault, Plant};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -46,6 +47,38 @@ impl Module {
 /// fit together, which [`problems`] tells, has the simulated module alone.
 pub fn rack(modules: &[Module], cpu: &CpuType) -> Rack {
     Rack::with_background(cpu, modules.iter().map(Module::plugged).collect()).unwrap_or_else(|_| Rack::simulated(cpu))
+}
+
+/// The modules with what a scenario says of plants.
+///
+/// # Errors
+/// There is no such plant, or it has no such parameter or not this value; the message says so.
+pub fn with_plants(modules: &[Module], lines: &[PlantLine]) -> Result<Vec<Module>, String> {
+    let mut modules = modules.to_vec();
+    for line in lines {
+        let names: Vec<String> = modules.iter().map(|module| module.device.name.clone()).collect();
+        let Some(module) = modules.iter_mut().find(|module| module.device.name == line.module) else {
+            return Err(match names.is_empty() {
+                true => format!("the project has no plant `{}`", line.module),
+                false => format!("the project has no plant `{}`; it has {}", line.module, one_of(names.iter().map(String::as_str))),
+            });
+        };
+        let kind = module.device.kind;
+        for (name, value) in &line.parameters {
+            let parameter = kind.parameters.iter().position(|parameter| parameter.name == name);
+            let Some(index) = parameter else {
+                let known = one_of(kind.parameters.iter().map(|parameter| parameter.name));
+                return Err(format!("the plant `{}` has no parameter `{name}`; it has {known}", line.module));
+            };
+            let Parameter { least, most, .. } = kind.parameters[index];
+            if !(least..=most).contains(value) {
+                return Err(format!("`{name}` of the plant `{}` is a number from {least} to {most}", line.module));
+            }
+            module.device.parameters[index] = *value;
+        }
+        module.device.seed = line.seed.unwrap_or(module.device.seed);
+    }
+    Ok(modules)
 }
 
 /// What keeps the modules from being plugged in together on this CPU type.

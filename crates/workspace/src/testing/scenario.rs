@@ -26,7 +26,7 @@ use crate::failed::{self, Heard};
 use crate::places::Places;
 use crate::project::{Build, Overrides, Project};
 use crate::refusal::Refusal;
-use crate::tracing::scenario::{cut_off, origin, rack};
+use crate::tracing::scenario::{cut_off, origin, rack, without_plant};
 
 /// Scans before a difference that its diagram shows, and behind it.
 const BEFORE: u64 = 30;
@@ -49,7 +49,7 @@ pub fn run(project: Project, scenario: Scenario, file: &str, stopwatch: Stopwatc
         Ok(build) => build,
         Err(verdict) => return nothing_ran(verdict),
     };
-    if let Some(refusal) = missing(&build, &scenario, file, conditions) {
+    if let Some(refusal) = missing(&build, &scenario, file, conditions).or_else(|| without_plant(&build, file, &scenario)) {
         return nothing_ran(Verdict::Unreadable(refusal));
     }
     let looking = looking(&build.compiled);

@@ -8,6 +8,7 @@ use sieben_sim::trace::{self, Origin};
 use crate::controller;
 use crate::project::Build;
 use crate::refusal::Refusal;
+use crate::settings::modules;
 
 /// Reads a scenario that is called so.
 ///
@@ -23,12 +24,23 @@ pub fn read(name: &str, text: &str) -> Result<Scenario, Vec<Refusal>> {
 /// The modules that a scenario runs with: those of the project, unless it says itself which bytes have one. A recording brings the inputs of its modules along.
 pub fn rack(build: &Build, scenario: &Scenario) -> Rack {
     let Some(bytes) = &scenario.modules else {
-        return if scenario.recorded.is_some() { Rack::simulated(build.cpu) } else { controller::rack(build) };
+        if scenario.recorded.is_some() {
+            return Rack::simulated(build.cpu);
+        }
+        let modules = &build.project.settings.modules;
+        // Plants that the project does not have were told before.
+        return modules::with_plants(modules, scenario.plants()).map_or_else(|_| controller::rack(build), |all| modules::rack(&all, build.cpu));
     };
     let bytes = bytes.start.min(build.cpu.peripheral)..bytes.end.min(build.cpu.peripheral);
     let module: Box<dyn IoModule> = Box::new(SimulatedModule::new("simulated", bytes));
     // One module inside the peripheral area always fits.
     Rack::with_only(build.cpu, vec![module]).unwrap_or_else(|_| Rack::simulated(build.cpu))
+}
+
+/// What a scenario says of plants that the project does not have.
+pub fn without_plant(build: &Build, name: &str, scenario: &Scenario) -> Option<Refusal> {
+    let message = modules::with_plants(&build.project.settings.modules, scenario.plants()).err()?;
+    Some(Refusal::new(Problem::P6292, format!("{name}: {message}")))
 }
 
 /// What identifies a program.

@@ -1,0 +1,85 @@
+//! What identifies a campaign: its programs, its file, its seed, and what the same code means in this version.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+
+use sha2::{Digest, Sha256};
+
+/// Rises with every change of what a program does or what a number of a scenario means: results of another one are not those of this one.
+pub const MEANING: u32 = 1;
+
+/// All files of the programs of a campaign, by names that do not say where the folder lies.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Bundle {
+    files: BTreeMap<String, String>,
+}
+
+/// What identifies a campaign, in hexadecimal digits.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Identity {
+    /// SHA-256 of the bundle.
+    pub program: String,
+    /// SHA-256 of that, the file of the campaign, its seed and [`MEANING`].
+    pub campaign: String,
+}
+
+impl Bundle {
+    /// Takes a file in; its line ends become `\n`.
+    pub fn add(&mut self, name: impl Into<String>, text: &str) {
+        self.files.insert(name.into(), normal(text));
+    }
+
+    /// All files in the order of their names, uncompressed.
+    pub fn bytes(&self) -> Vec<u8> {
+        let mut bytes = b"sieben bundle 1\n".to_vec();
+        for (name, text) in &self.files {
+            bytes.extend(format!("{}\n{}\n", name.escape_default(), text.len()).as_bytes());
+            bytes.extend(text.as_bytes());
+        }
+        bytes
+    }
+
+    /// What identifies a campaign with these programs.
+    pub fn identity(&self, spec: &str, seed: u64) -> Identity {
+        let program = Sha256::digest(self.bytes());
+        let mut all = Sha256::new();
+        all.update(program);
+        all.update(normal(spec));
+        all.update(seed.to_be_bytes());
+        all.update(MEANING.to_be_bytes());
+        Identity { program: hex(&program), campaign: hex(&all.finalize()) }
+    }
+}
+
+fn normal(text: &str) -> String {
+    text.trim_start_matches('\u{FEFF}').replace("\r\n", "\n")
+}
+
+fn hex(bytes: &[u8]) -> String {
+    bytes.iter().fold(String::new(), |mut text, byte| {
+        // Writing to a string cannot fail.
+        let _ = write!(text, "{byte:02x}");
+        text
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn it_depends_on_what_is_said_and_on_nothing_else() {
+        let bundle = |text: &str| {
+            let mut bundle = Bundle::default();
+            bundle.add("b.awl", text);
+            bundle.add("a.toml", "");
+            bundle
+        };
+        let identity = bundle("A I 0.0;\n").identity("seed = 1\n", 1);
+        assert_eq!(identity, bundle("\u{FEFF}A I 0.0;\r\n").identity("seed = 1\r\n", 1));
+        assert_eq!((identity.program.len(), identity.campaign.len()), (64, 64));
+        let others = [bundle("A I 0.1;\n").identity("seed = 1\n", 1), bundle("A I 0.0;\n").identity("", 1), bundle("A I 0.0;\n").identity("seed = 1\n", 2)];
+        assert!(others.iter().all(|other| other.campaign != identity.campaign));
+        assert_eq!(others[1].program, identity.program);
+    }
+}

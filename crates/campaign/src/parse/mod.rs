@@ -1,0 +1,337 @@
+//! Reads the file of a campaign.
+
+mod drawn;
+mod properties;
+#[cfg(test)]
+mod tests;
+mod values;
+
+use std::borrow::Cow;
+
+use sieben_model::diagnostic::{Diagnostic, Severity};
+use sieben_model::nearest::{nearest, one_of};
+use sieben_model::problems::Problem;
+use sieben_model::source::{FileId, Span};
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use crate::spec::{Exhaustive, Keep, Placed, Replay, Set, Spec, Sweep};
+
+/// Most that is told of one file: after the first hundred the rest is mostly their consequence.
+const DIAGNOSTICS_MAX: usize = 100;
+/// Most values of a sweep.
+const VALUES_MAX: usize = 1_000_000;
+
+type Value<'i> = Spanned<DeValue<'i>>;
+type Key<'i> = Spanned<Cow<'i, str>>;
+
+/// Reads the text of a campaign. Without an error there is one.
+pub fn parse(text: &str, file: FileId) -> (Option<Spec>, Vec<Diagnostic>) {
+    let mut reader = Reader { text, file, spec: Spec { samples: 1, ..Spec::default() }, diagnostics: Vec::new() };
+    match DeTable::parse(text) {
+        Ok(table) => reader.root(table.get_ref()),
+        Err(error) => {
+            let message = format!("the file is not valid TOML: {}", error.message().replace('\n', "; "));
+            let span = reader.span(error.span().unwrap_or(0..0));
+            reader.diagnostics.push(Diagnostic::new(Problem::P7156, span, message));
+        }
+    }
+    let Reader { spec, mut diagnostics, .. } = reader;
+    diagnostics.sort_by_key(|diagnostic| diagnostic.span.start);
+    if let Some(more) = diagnostics.len().checked_sub(DIAGNOSTICS_MAX).filter(|&more| more > 0) {
+        diagnostics.truncate(DIAGNOSTICS_MAX);
+        let last = diagnostics[DIAGNOSTICS_MAX - 1].span;
+        diagnostics.push(Diagnostic::new(Problem::P7156, last, format!("and {more} more after this one")));
+    }
+    let good = diagnostics.iter().all(|diagnostic| diagnostic.problem.severity() != Severity::Error);
+    (good.then_some(spec), diagnostics)
+}
+
+struct Reader<'t> {
+    text: &'t str,
+    file: FileId,
+    spec: Spec,
+    diagnostics: Vec<Diagnostic>,
+}
+
+/// The tables of the file with their keys; those in double brackets are lists.
+const TABLES: &[(&str, &[&str])] = &[
+    ("campaign", &["name", "program", "for", "seed", "samples", "settle", "keep", "replay", "within", "tolerance", "ignore"]),
+    ("exhaustive", &["block", "inputs", "state"]),
+    ("set", &[]),
+    ("sweep", &[]),
+    ("draw", &[]),
+    ("fault", &["name", "chance", "signal", "fault", "from", "for"]),
+    ("disturb", &["time", "bounce", "value"]),
+    ("matrix", &["program"]),
+    ("swarm", &["faults"]),
+    ("never", &["name", "expr"]),
+    ("always", &["name", "expr"]),
+    ("sometimes", &["name", "expr"]),
+    ("response", &["name", "when", "then", "within"]),
+    ("finally", &["name", "expr"]),
+    ("same", &["name", "expr"]),
+    ("measure", &["name", "of", "expr", "unit"]),
+];
+
+/// The entries of a table in the order of the file.
+fn in_order<'a, 'i>(table: &'a DeTable<'i>) -> Vec<(&'a Key<'i>, &'a Value<'i>)> {
+    let mut all: Vec<_> = table.iter().collect();
+    all.sort_by_key(|(key, _)| key.span().start);
+    all
+}
+
+impl Reader<'_> {
+    fn span(&self, range: std::ops::Range<usize>) -> Span {
+        // Files above 64 MiB are refused before, so that offsets fit.
+        Span::new(self.file, range.start as u32, range.end as u32)
+    }
+
+    fn wrong(&mut self, value: &Value<'_>, message: impl Into<String>) {
+        self.wrong_at(self.span(value.span()), message);
+    }
+
+    fn wrong_at(&mut self, span: Span, message: impl Into<String>) {
+        self.diagnostics.push(Diagnostic::new(Problem::P7157, span, message));
+    }
+
+    /// Says that a table has no such key.
+    fn unknown(&mut self, table: &str, key: &Key<'_>, known: &[&str]) {
+        let place = if table.is_empty() { String::new() } else { format!(" in `[{table}]`") };
+        let diagnostic = Diagnostic::new(Problem::P7157, self.span(key.span()), format!("there is no key `{}`{place}", key.get_ref()));
+        self.diagnostics.push(match nearest(key.get_ref(), known.iter().copied()) {
+            Some(near) => diagnostic.help(format!("did you mean `{near}`?")),
+            None => diagnostic.help(format!("there are {}", one_of(known.iter().copied()))),
+        });
+    }
+
+    fn root(&mut self, root: &DeTable<'_>) {
+        let names: Vec<&str> = TABLES.iter().map(|(name, _)| *name).collect();
+        for (key, value) in in_order(root) {
+            let Some(&(table, keys)) = TABLES.iter().find(|(name, _)| name == key.get_ref()) else {
+                self.unknown("", key, &names);
+                continue;
+            };
+            let is_list = matches!(table, "fault" | "never" | "always" | "sometimes" | "response" | "finally" | "same" | "measure");
+            match value.get_ref() {
+                DeValue::Table(inner) if !is_list => self.table(table, keys, inner),
+                DeValue::Array(items) if is_list => {
+                    for item in items {
+                        match item.get_ref() {
+                            DeValue::Table(inner) => self.item(table, keys, item, inner),
+                            _ => self.wrong(item, format!("write `[[{table}]]` on a line of its own, and its keys below")),
+                        }
+                    }
+                }
+                _ if is_list => self.wrong(value, format!("there can be several of these: write `[[{table}]]` in two brackets on a line of its own")),
+                _ => self.wrong(value, format!("`{table}` is a table: write `[{table}]` on a line of its own, and its keys below")),
+            }
+        }
+        self.together(root);
+    }
+
+    fn table(&mut self, table: &str, keys: &[&str], content: &DeTable<'_>) {
+        for (key, value) in in_order(content) {
+            let name: &str = key.get_ref();
+            if !keys.is_empty() && !keys.contains(&name) {
+                self.unknown(table, key, keys);
+                continue;
+            }
+            match (table, name) {
+                ("campaign", "name") => self.spec.name = self.string(value, name).map(|placed| placed.text),
+                ("campaign", "program") => {
+                    let program = self.string(value, name);
+                    self.spec.programs.extend(program);
+                }
+                ("campaign", "for") => self.spec.for_us = self.duration(value, name),
+                ("campaign", "seed") => self.spec.seed = self.whole(value, name, 0).unwrap_or(0),
+                ("campaign", "samples") => self.spec.samples = self.whole(value, name, 1).unwrap_or(1),
+                ("campaign", "settle") => self.spec.settle_us = self.duration(value, name).unwrap_or(0),
+                ("campaign", "keep") => self.keep(value),
+                ("campaign", "replay") => {
+                    let scenario = self.string(value, name);
+                    self.spec.replay = scenario.map(|scenario| Replay { scenario, within_us: 0, tolerance: None, ignore: Vec::new() });
+                }
+                // With the recording, which may stand after them.
+                ("campaign", _) => {}
+                ("exhaustive", "state") => self.state(value),
+                ("exhaustive", "block") => {
+                    let block = self.string(value, name);
+                    self.exhaustive().block = block;
+                }
+                ("exhaustive", _) => {
+                    let inputs = self.strings(value, name);
+                    self.exhaustive().inputs = inputs;
+                }
+                ("set", _) => {
+                    if let Some(set) = self.constant(value) {
+                        let name = self.placed(key);
+                        self.spec.set.push(Set { name, value: set });
+                    }
+                }
+                ("sweep", _) => self.sweep(key, value),
+                ("draw", _) => self.draw(key, value),
+                ("disturb", _) => self.disturb(name, value),
+                ("matrix", _) => {
+                    let programs = self.strings(value, name);
+                    self.spec.programs.extend(programs);
+                }
+                _ => match value.get_ref() {
+                    DeValue::Boolean(faults) => self.spec.swarm_faults = *faults,
+                    _ => self.wrong(value, "`faults` is `true` or `false`"),
+                },
+            }
+        }
+    }
+
+    /// One of a list.
+    fn item(&mut self, table: &str, keys: &[&str], item: &Value<'_>, content: &DeTable<'_>) {
+        for (key, _) in in_order(content) {
+            if !keys.contains(&key.get_ref().as_ref()) {
+                self.unknown(table, key, keys);
+            }
+        }
+        match table {
+            "fault" => self.fault(item, content),
+            "measure" => self.measure(item, content),
+            kind => self.property(kind, item, content),
+        }
+    }
+
+    fn exhaustive(&mut self) -> &mut Exhaustive {
+        self.spec.exhaustive.get_or_insert_with(|| Exhaustive { block: None, inputs: Vec::new() })
+    }
+
+    fn keep(&mut self, value: &Value<'_>) {
+        self.spec.keep = match value.get_ref() {
+            DeValue::String(word) if word == "all" => Some(Keep::All),
+            DeValue::String(word) if word == "failures" => Some(Keep::Failures),
+            _ => {
+                self.wrong(value, "`keep` is `\"all\"` or `\"failures\"`");
+                None
+            }
+        };
+    }
+
+    fn state(&mut self, value: &Value<'_>) {
+        let message = match value.get_ref() {
+            DeValue::String(word) if word == "initial" => return,
+            DeValue::String(word) if word == "reachable" => "every reachable state is not there yet: `state = \"initial\"` begins each combination after the start",
+            DeValue::String(word) if word == "any" => "every state of the memory bits is not there yet: `state = \"initial\"` begins each combination after the start",
+            _ => return self.wrong(value, "`state` is `\"initial\"`: each combination begins after the start"),
+        };
+        self.diagnostics.push(Diagnostic::new(Problem::P7159, self.span(value.span()), message));
+    }
+
+    /// `{ from = 1.0, to = 8.0, steps = 8 }` or `{ values = [20.0, 40.0] }`, also with `unit`.
+    fn sweep(&mut self, key: &Key<'_>, value: &Value<'_>) {
+        const HOW: &str = "write `{ from = 1.0, to = 8.0, steps = 8 }` or `{ values = [20, 40, 80] }`";
+        let DeValue::Table(inner) = value.get_ref() else {
+            return self.wrong(value, format!("`{}` is swept over several values: {HOW}", key.get_ref()));
+        };
+        let (mut from, mut to, mut steps, mut values, mut unit, mut log) = (None, None, None, None, None, false);
+        let before = self.diagnostics.len();
+        for (part, value) in in_order(inner) {
+            match part.get_ref().as_ref() {
+                "from" => from = self.number(value, "from"),
+                "to" => to = self.number(value, "to"),
+                "steps" => steps = self.whole(value, "steps", 1),
+                "values" => values = self.constants(value, "values"),
+                "unit" => unit = self.string(value, "unit").map(|placed| placed.text),
+                "log" => match value.get_ref() {
+                    DeValue::Boolean(is_log) => log = *is_log,
+                    _ => self.wrong(value, "`log` is `true` or `false`"),
+                },
+                _ => self.unknown("sweep", part, &["from", "to", "steps", "values", "unit", "log"]),
+            }
+        }
+        let all = match (from, to, steps, values) {
+            (None, None, None, Some(values)) => values,
+            (Some(_), Some(_), Some(steps), None) if steps as usize > VALUES_MAX => {
+                return self.wrong(value, format!("a sweep has at most {VALUES_MAX} values"));
+            }
+            (Some(from), Some(to), Some(_), None) if log && (from <= 0.0 || to <= 0.0) => {
+                return self.wrong(value, "with `log` both `from` and `to` are greater than 0");
+            }
+            (Some(from), Some(to), Some(steps), None) => values::steps(from, to, steps, log),
+            _ if self.diagnostics.len() > before => return,
+            _ => return self.wrong(value, HOW),
+        };
+        let name = self.placed(key);
+        self.spec.sweep.push(Sweep { name, values: all, unit });
+    }
+
+    /// What keys of several tables have to do with each other.
+    fn together(&mut self, root: &DeTable<'_>) {
+        self.replaying(root);
+        if self.spec.programs.is_empty() {
+            let span = root.iter().map(|(key, _)| key.span()).min_by_key(|span| span.start);
+            let span = self.span(span.unwrap_or(0..0));
+            self.spec.programs.push(Placed { text: ".".to_owned(), span });
+        }
+        let whole = self.spec.span();
+        let keys = self.spec.set.iter().map(|set| &set.name).chain(self.spec.sweep.iter().map(|sweep| &sweep.name));
+        let keys: Vec<Placed> = keys.chain(self.spec.draw.iter().map(|draw| &draw.name)).cloned().collect();
+        for (index, key) in keys.iter().enumerate() {
+            if keys[..index].iter().any(|before| before.text.eq_ignore_ascii_case(&key.text)) {
+                self.wrong_at(key.span, format!("`{}` has a value already: it stands in one of `[set]`, `[sweep]` and `[draw]`", key.text));
+            }
+        }
+        if let Some(exhaustive) = &self.spec.exhaustive
+            && exhaustive.inputs.is_empty()
+        {
+            self.wrong_at(whole, "`[exhaustive]` needs its bits: `inputs = [\"Start\", \"Stop\", \"I 0.0..I 0.7\"]`");
+        }
+        let judged = !self.spec.properties.is_empty() || !self.spec.measures.is_empty() || self.spec.replay.is_some();
+        if self.diagnostics.is_empty() && !judged {
+            let message = "nothing is asked of the scenarios";
+            let help = "say what must never be: `[[never]]` with `name = \"short circuit\"` and `expr = \"Star AND Delta\"`";
+            self.diagnostics.push(Diagnostic::new(Problem::P7157, whole, message).help(help));
+        }
+        if self.spec.programs.len() < 2
+            && let Some(same) = self.spec.properties.iter().find(|property| property.kind == crate::spec::PropertyKind::Same)
+        {
+            self.wrong_at(same.span, "`[[same]]` compares programs: `[matrix]` with `program = [\"old\", \"new\"]` names them");
+        }
+    }
+
+    /// What belongs to a recording.
+    fn replaying(&mut self, root: &DeTable<'_>) {
+        let campaign = root.iter().find(|(key, _)| key.get_ref() == "campaign").map(|(_, value)| value.get_ref());
+        let Some(DeValue::Table(campaign)) = campaign else { return self.without_recording() };
+        for (key, value) in in_order(campaign) {
+            let name: &str = key.get_ref();
+            if !matches!(name, "within" | "tolerance" | "ignore") {
+                continue;
+            }
+            if self.spec.replay.is_none() {
+                let message = format!("`{name}` belongs to a recording: `replay = \"plant.scenario\"` names it");
+                self.wrong_at(self.span(key.span()), message);
+                continue;
+            }
+            let (mut within, mut tolerance, mut ignore) = (None, None, None);
+            match name {
+                "within" => within = self.duration(value, name),
+                "tolerance" => tolerance = self.number(value, name),
+                _ => ignore = Some(self.strings(value, name)),
+            }
+            if let Some(replay) = &mut self.spec.replay {
+                replay.within_us = within.unwrap_or(replay.within_us);
+                replay.tolerance = tolerance.or(replay.tolerance);
+                replay.ignore.extend(ignore.into_iter().flatten().map(|placed| placed.text));
+            }
+        }
+        self.without_recording();
+        if let (Some(replay), Some(_)) = (&self.spec.replay, &self.spec.exhaustive) {
+            let message = "a recording has its inputs: `[exhaustive]` has none to go through";
+            self.diagnostics.push(Diagnostic::new(Problem::P7159, replay.scenario.span, message));
+        }
+    }
+
+    fn without_recording(&mut self) {
+        if self.spec.disturb.is_some() && self.spec.replay.is_none() {
+            let span = self.spec.span();
+            self.wrong_at(span, "`[disturb]` disturbs a recording: `replay = \"plant.scenario\"` in `[campaign]` names it");
+        }
+    }
+}

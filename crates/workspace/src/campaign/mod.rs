@@ -1,0 +1,104 @@
+//! Campaigns of a project: its programs with the expressions of the campaign compiled in, and the run of one scenario by its number.
+
+mod opening;
+mod running;
+pub mod targets;
+mod watching;
+
+use std::sync::Arc;
+
+use sieben_campaign::given::Given;
+use sieben_campaign::identity::Identity;
+use sieben_campaign::numbering::Numbering;
+use sieben_campaign::row::Row;
+use sieben_campaign::spec::Spec;
+use sieben_cpu::{Loaded, Settings};
+use sieben_engine::{Engine, Layout, Program};
+use sieben_model::cpu_type::CpuType;
+use sieben_sim::names::{Name, Setting};
+use sieben_sim::scenario::Scenario;
+
+use crate::project::Build;
+use targets::Target;
+use watching::Watching;
+
+pub use opening::{Failed, Load, open};
+
+/// A campaign, ready to run: any number of threads run scenarios of it.
+pub struct Campaign {
+    /// What it is asked for.
+    pub spec: Spec,
+    /// How its scenarios are numbered.
+    pub numbering: Numbering,
+    /// What identifies it.
+    pub identity: Identity,
+    /// The programs that each scenario runs on.
+    pub programs: Vec<Subject>,
+}
+
+/// A program of a campaign.
+pub struct Subject {
+    /// What its file is called in the campaign.
+    pub path: String,
+    /// The program with the expressions of the campaign.
+    pub build: Build,
+    cpu: &'static CpuType,
+    loaded: Loaded,
+    settings: Settings,
+    watching: Watching,
+    cycle_us: u64,
+    scans: u64,
+    /// What is set before the first scan, whatever the number is.
+    set: Vec<Setting>,
+    /// Parameters of plants that are the same in every scenario: module, parameter, value.
+    fixed: Vec<(usize, usize, f64)>,
+    /// Where the values of `[sweep]` and `[draw]` go, in their order.
+    targets: Vec<Target>,
+    /// The bits of `[exhaustive]`.
+    bits: Vec<Name>,
+}
+
+/// What makes a program run.
+pub type Factory<'a> = dyn Fn(&Program, &Layout) -> Arc<dyn Engine> + 'a;
+
+impl Campaign {
+    /// How many scenarios it has.
+    pub fn scenarios(&self) -> u64 {
+        self.numbering.count()
+    }
+
+    /// What a number stands for.
+    pub fn given(&self, number: u64) -> Given {
+        Given::of(&self.spec, &self.numbering, number)
+    }
+
+    /// The scenario of a number, as a file of it says it.
+    ///
+    /// # Errors
+    /// A value that was drawn does not fit; the message says so.
+    pub fn scenario(&self, number: u64) -> Result<Scenario, String> {
+        self.programs[0].scenario(&self.spec, &self.given(number))
+    }
+
+    /// What the bits of `[exhaustive]` are called, the first of the number first.
+    pub fn bits(&self) -> impl Iterator<Item = &str> {
+        self.programs[0].bits.iter().map(Name::text)
+    }
+
+    /// Runs a scenario on all programs.
+    pub fn run(&self, number: u64) -> Row {
+        running::run(self, &self.given(number))
+    }
+}
+
+impl Subject {
+    /// From one scan to the next, in microseconds.
+    pub fn cycle_us(&self) -> u64 {
+        self.cycle_us
+    }
+
+    /// How many scans a scenario has that nothing ends before its time.
+    pub fn scans(&self) -> u64 {
+        self.scans
+    }
+}

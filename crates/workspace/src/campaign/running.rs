@@ -1,0 +1,256 @@
+//! The run of one scenario: nothing of it depends on the thread, on the time of day or on the scenarios before it.
+
+use sieben_campaign::draws::Stream;
+use sieben_campaign::given::Given;
+use sieben_campaign::judge::{Broken, Judge, Scan};
+use sieben_campaign::row::{Row, Verdict};
+use sieben_campaign::spec::{PropertyKind, Spec, Value};
+use sieben_cpu::{Cpu, OperatingMode, Rack};
+use sieben_model::address::Area;
+use sieben_sim::names::Setting;
+use sieben_sim::scenario::made::Parts;
+use sieben_sim::scenario::{Happened, Onlooker, PlantLine, Rules, Scenario};
+
+use super::targets::{self, Rounding, Target};
+use super::{Campaign, Subject};
+use crate::controller;
+use crate::settings::modules;
+
+impl Subject {
+    /// The scenario that is made of what is given.
+    pub(super) fn scenario(&self, spec: &Spec, given: &Given) -> Result<Scenario, String> {
+        let mut set = self.set.clone();
+        let mut plants = self.plants(given.seed);
+        for (name, index) in self.bits.iter().zip(0..) {
+            set.push(Setting::new(name.clone(), if given.point.combination >> index & 1 != 0 { "1" } else { "0" }).map_err(|e| e.to_string())?);
+        }
+        let sweeps = spec.sweep.len();
+        for (index, value) in &given.values {
+            let rounding = if *index < sweeps { Rounding::Never } else { Rounding::Nearest };
+            match &self.targets[*index] {
+                Target::Name(name) => set.push(targets::setting(name, value, rounding)?),
+                Target::Plant(module, parameter) => {
+                    let kind = self.build.project.settings.modules[*module].device.kind;
+                    let parameter = &kind.parameters[*parameter];
+                    // What is drawn beyond the range of a parameter is its end.
+                    let value = match value {
+                        Value::Number(number) if rounding == Rounding::Nearest => number.clamp(parameter.least, parameter.most),
+                        value => targets::parameter(parameter, value)?,
+                    };
+                    plants[*module].parameters.push((parameter.name.to_owned(), value));
+                }
+            }
+        }
+        let mut at = Vec::new();
+        for walk in &given.walks {
+            let Target::Name(name) = &self.targets[walk.index] else { continue };
+            for (time, value) in &walk.changes {
+                at.push((*time, targets::setting(name, value, Rounding::Nearest)?));
+            }
+        }
+        Ok(Scenario::made(Parts { cycle_us: self.cycle_us, scans: self.scans, plants, set, at, faults: given.faults.clone() }))
+    }
+
+    /// The plants, each with the seed that it has in the scenario.
+    fn plants(&self, seed: u64) -> Vec<PlantLine> {
+        let modules = &self.build.project.settings.modules;
+        let mut lines: Vec<PlantLine> = modules
+            .iter()
+            .map(|module| PlantLine {
+                module: module.device.name.clone(),
+                // Files of projects have signed numbers.
+                seed: Some(Stream::new(seed, &format!("plant {}", module.device.name)).next_u64() >> 1),
+                parameters: Vec::new(),
+            })
+            .collect();
+        for &(module, parameter, value) in &self.fixed {
+            lines[module].parameters.push((modules[module].device.kind.parameters[parameter].name.to_owned(), value));
+        }
+        lines
+    }
+
+    /// A CPU in STOP with the plants of a scenario.
+    fn fresh(&self, rack: Rack) -> Cpu {
+        Cpu::new(self.loaded.clone(), rack, self.settings.clone())
+    }
+}
+
+/// Runs a scenario on all programs of a campaign.
+pub(super) fn run(campaign: &Campaign, given: &Given) -> Row {
+    let spec = &campaign.spec;
+    let parameters = (0..spec.sweep.len() + spec.draw.len())
+        .map(|index| given.values.iter().find(|(of, _)| *of == index).map(|(_, value)| value.clone()))
+        .collect();
+    let mut row = Row {
+        scenario: given.number,
+        seed: given.seed,
+        verdict: Verdict::Pass,
+        property: None,
+        at: None,
+        scans: 0,
+        virtual_us: 0,
+        trace_hash: 0,
+        parameters,
+        faults: given.faults.iter().map(ToString::to_string).collect(),
+        measures: vec![None; spec.measures.len()],
+        came: vec![false; spec.properties.len()],
+        message: None,
+    };
+    let mut kept = None;
+    for (index, subject) in campaign.programs.iter().enumerate() {
+        let mut looking = Looking::new(spec, subject, kept.take(), campaign.programs.len() > 1);
+        match scenario(subject, spec, given) {
+            Ok((scenario, rack)) => {
+                let mut rack = Some(rack);
+                // A scenario that code makes has one CPU.
+                let mut fresh = || subject.fresh(rack.take().unwrap_or_else(|| Rack::simulated(subject.cpu)));
+                scenario.run_with(&subject.build.project.symbols, &Rules::default(), &mut fresh, &mut looking);
+                looking.ended();
+            }
+            Err(message) => looking.end = Some((Verdict::Error, None, Some(message))),
+        }
+        if index == 0 {
+            row.measures = looking.judge.measured();
+            row.came = looking.judge.came().to_vec();
+            (row.scans, row.virtual_us, row.trace_hash) = (looking.scans, looking.last.map_or(0, |scan| scan.at_us), looking.hash);
+        }
+        if let Some((verdict, broken, message)) = looking.end {
+            row.verdict = verdict;
+            row.property = broken.map(|broken| broken.property);
+            row.at = broken.map(|broken| broken.scan).or(looking.last);
+            row.message = match campaign.programs.len() {
+                1 => message,
+                _ => Some(format!("in `{}`{}", subject.path, message.map_or(String::new(), |message| format!(": {message}")))),
+            };
+            return row;
+        }
+        kept = looking.kept.take();
+    }
+    row
+}
+
+/// The scenario with the modules that it runs with.
+fn scenario(subject: &Subject, spec: &Spec, given: &Given) -> Result<(Scenario, Rack), String> {
+    let scenario = subject.scenario(spec, given)?;
+    let modules = modules::with_plants(&subject.build.project.settings.modules, scenario.plants())?;
+    Ok((scenario, modules::rack(&modules, subject.cpu)))
+}
+
+/// How a scenario ended, with the property that did not hold and what is to be said.
+type End = (Verdict, Option<Broken>, Option<String>);
+
+/// Looks on while a scenario runs.
+struct Looking<'s> {
+    subject: &'s Subject,
+    judge: Judge<'s>,
+    values: Vec<f64>,
+    outputs: Vec<u8>,
+    hash: u64,
+    scans: u64,
+    last: Option<Scan>,
+    end: Option<End>,
+    /// What the program before this one came to, scan by scan, and what this one does.
+    before: Option<Vec<f64>>,
+    kept: Option<Vec<f64>>,
+    same: Vec<(usize, usize)>,
+}
+
+impl<'s> Looking<'s> {
+    fn new(spec: &'s Spec, subject: &'s Subject, before: Option<Vec<f64>>, keeps: bool) -> Self {
+        let mut slot = 0;
+        let mut same = Vec::new();
+        for (index, property) in spec.properties.iter().enumerate() {
+            if property.kind == PropertyKind::Same {
+                same.push((index, slot));
+            }
+            slot += 1 + usize::from(property.then.is_some());
+        }
+        Self {
+            subject,
+            judge: Judge::new(spec, subject.cycle_us),
+            values: Vec::new(),
+            outputs: Vec::new(),
+            hash: 0,
+            scans: 0,
+            last: None,
+            end: None,
+            before,
+            kept: (keeps && !same.is_empty()).then(Vec::new),
+            same,
+        }
+    }
+
+    fn scanned(&mut self, cpu: &mut Cpu, at_us: u64) {
+        let scan = Scan { number: self.scans, at_us };
+        self.scans += 1;
+        self.last = Some(scan);
+        if cpu.mode() == OperatingMode::Stop {
+            let message = cpu.stop_cause().map(|cause| controller::named(&self.subject.build, &cause.text, cause.place));
+            self.end = Some((Verdict::Stop, None, message));
+            return;
+        }
+        self.hash_outputs(cpu, scan.number);
+        if !self.subject.watching.look(cpu, &mut self.values) {
+            let message = "an expression of the campaign cannot be computed here, such as an element beyond the end of its array".to_owned();
+            self.end = Some((Verdict::Error, None, Some(message)));
+            return;
+        }
+        if let Some(broken) = self.judge.scanned(scan, &self.values).or_else(|| self.compared(scan)) {
+            self.end = Some((Verdict::Fail, Some(broken), None));
+        }
+    }
+
+    /// What has to be the same as in the program before, and is not.
+    fn compared(&mut self, scan: Scan) -> Option<Broken> {
+        let begin = self.same.len() * scan.number as usize;
+        let differs = self.same.iter().enumerate().find(|&(place, &(_, slot))| {
+            let before = self.before.as_ref().and_then(|before| before.get(begin + place));
+            // What is no number is the same as itself.
+            before.is_some_and(|before| before.to_bits() != self.values[slot].to_bits() && *before != self.values[slot])
+        });
+        if let Some(kept) = &mut self.kept {
+            kept.extend(self.same.iter().map(|&(_, slot)| self.values[slot]));
+        }
+        differs.map(|(_, &(property, _))| Broken { property, scan })
+    }
+
+    /// Takes the outputs that changed into the hash, each with its scan.
+    fn hash_outputs(&mut self, cpu: &Cpu, scan: u64) {
+        let outputs = cpu.machine().memory.area(Area::Output);
+        if self.outputs == outputs {
+            return;
+        }
+        if self.outputs.is_empty() {
+            self.outputs = vec![0; outputs.len()];
+        }
+        for (byte, (before, now)) in (0_u64..).zip(self.outputs.iter().zip(outputs)).filter(|(_, (before, now))| before != now) {
+            let changed = byte << 16 | u64::from(*before) << 8 | u64::from(*now);
+            self.hash = sieben_campaign::draws::mix(self.hash ^ sieben_campaign::draws::mix(scan) ^ changed);
+        }
+        self.outputs.copy_from_slice(outputs);
+    }
+
+    fn ended(&mut self) {
+        if self.end.is_none()
+            && let Some(broken) = self.judge.ended(&self.values)
+        {
+            self.end = Some((Verdict::Fail, Some(broken), None));
+        }
+    }
+}
+
+impl Onlooker for Looking<'_> {
+    fn see(&mut self, happened: Happened<'_>) {
+        match happened {
+            Happened::Scan { cpu, time_us, .. } if self.end.is_none() => self.scanned(cpu, time_us),
+            Happened::Failed(error) if self.end.is_none() => {
+                self.end = Some((Verdict::Error, None, Some(error.message.clone())));
+            }
+            _ => {}
+        }
+    }
+
+    fn may_go_on(&mut self) -> bool {
+        self.end.is_none()
+    }
+}
