@@ -1,6 +1,7 @@
 //! Campaigns: very many scenarios of one program, each a pure function of the program, the file of the campaign, a seed and a number.
 #![forbid(unsafe_code)]
 
+pub mod disturbed;
 pub mod draws;
 pub mod given;
 pub mod identity;

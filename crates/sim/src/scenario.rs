@@ -40,6 +40,7 @@
 //! ```
 //! Scan k begins at k times the cycle, the first at 0. A table row begins with the `set` lines above it.
 
+pub mod changing;
 mod held;
 pub mod made;
 mod parse;

@@ -16,8 +16,10 @@ use sieben_campaign::row::Verdict;
 use sieben_campaign::tally::Tally;
 use sieben_jit::StatusBits;
 use sieben_model::problems::Problem;
-use sieben_workspace::campaign::{self, Campaign, Failed};
+use sieben_workspace::campaign::{self, Campaign, Failed, Files};
 use sieben_workspace::finding::{self, Finding, Texts};
+use sieben_workspace::project::Project;
+use sieben_workspace::refusal::Refusal;
 
 use crate::arguments::ProgramArguments;
 use crate::campaign::said::{self, Run};
@@ -160,6 +162,24 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     }
 }
 
+/// The files around that of a campaign.
+struct Around<'a> {
+    folder: PathBuf,
+    program: &'a ProgramArguments,
+}
+
+impl Files for Around<'_> {
+    fn project(&self, path: &str) -> Result<Project, Refusal> {
+        let at = if path == "." { self.folder.clone() } else { self.folder.join(path) };
+        project::load(&[at], self.program.encoding()).map_err(|failure| failure.refusal)
+    }
+
+    fn text(&self, path: &str) -> Result<String, Refusal> {
+        let bytes = files::read(&self.folder.join(path)).map_err(|failure| failure.refusal)?;
+        String::from_utf8(bytes).map_err(|_| Refusal::new(Problem::P7163, format!("`{path}` is not UTF-8 text")))
+    }
+}
+
 /// Reads a campaign and compiles its programs; otherwise its findings are printed.
 fn open(path: &Path, program: &ProgramArguments, seed: Option<u64>, engine: EngineArgument, json: bool) -> Result<Result<Opened, Exit>, Failure> {
     let bytes = files::read(path)?;
@@ -180,12 +200,9 @@ fn open(path: &Path, program: &ProgramArguments, seed: Option<u64>, engine: Engi
     spec.seed = seed.unwrap_or(spec.seed);
     let name = spec.name.clone().unwrap_or_else(|| path.file_stem().unwrap_or_default().to_string_lossy().into_owned());
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).map_or_else(|| PathBuf::from("."), Path::to_path_buf);
-    let mut load = |named: &str| {
-        let at = if named == "." { folder.clone() } else { folder.join(named) };
-        project::load(&[at], program.encoding()).map_err(|failure| failure.refusal)
-    };
+    let around = Around { folder, program };
     let factory = engine.settled().factory(StatusBits::Needed);
-    match campaign::open(spec, text, &mut load, program.overrides()?, &factory) {
+    match campaign::open(spec, text, &around, program.overrides()?, &factory) {
         Ok(campaign) => {
             if !findings.is_empty() {
                 told(&mut findings, &texts);

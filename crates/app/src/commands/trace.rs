@@ -22,7 +22,7 @@ use sieben_workspace::finding::{Finding, Texts};
 use sieben_workspace::names;
 use sieben_workspace::project::Build;
 use sieben_workspace::tracing::channels;
-use sieben_workspace::tracing::scenario::{origin, rack};
+use sieben_workspace::tracing::scenario::{origin, rack, without_plant};
 
 use crate::arguments::{FaultArguments, ProgramArguments};
 use crate::duration::duration_argument;
@@ -190,6 +190,11 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         Ok(build) => build,
         Err(exit) => return Ok(exit),
     };
+    if let Some((path, scenario)) = &scenario
+        && let Some(refusal) = without_plant(&build, &path.display().to_string(), scenario)
+    {
+        return Err(refusal.into());
+    }
     let loaded = controller::loaded(&build, arguments.engine.factory(StatusBits::All));
     let mut cpu = Cpu::new(loaded.clone(), controller::rack(&build), controller::settings(&build));
     arguments.faults.inject(&mut cpu)?;

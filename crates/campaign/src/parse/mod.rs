@@ -99,7 +99,9 @@ impl Reader<'_> {
     fn unknown(&mut self, table: &str, key: &Key<'_>, known: &[&str]) {
         let place = if table.is_empty() { String::new() } else { format!(" in `[{table}]`") };
         let diagnostic = Diagnostic::new(Problem::P7157, self.span(key.span()), format!("there is no key `{}`{place}", key.get_ref()));
-        self.diagnostics.push(match nearest(key.get_ref(), known.iter().copied()) {
+        // Of very many mistakes only the first are told, and these words are not cheap to compare.
+        let near = if self.diagnostics.len() < DIAGNOSTICS_MAX { nearest(key.get_ref(), known.iter().copied()) } else { None };
+        self.diagnostics.push(match near {
             Some(near) => diagnostic.help(format!("did you mean `{near}`?")),
             None => diagnostic.help(format!("there are {}", one_of(known.iter().copied()))),
         });
@@ -322,6 +324,9 @@ impl Reader<'_> {
             }
         }
         self.without_recording();
+        if let (Some(replay), Some(_)) = (&self.spec.replay, self.spec.for_us) {
+            self.wrong_at(replay.scenario.span, "a recording is as long as it is: leave `for` out");
+        }
         if let (Some(replay), Some(_)) = (&self.spec.replay, &self.spec.exhaustive) {
             let message = "a recording has its inputs: `[exhaustive]` has none to go through";
             self.diagnostics.push(Diagnostic::new(Problem::P7159, replay.scenario.span, message));

@@ -16,13 +16,13 @@ use sieben_cpu::{Loaded, Settings};
 use sieben_engine::{Engine, Layout, Program};
 use sieben_model::cpu_type::CpuType;
 use sieben_sim::names::{Name, Setting};
-use sieben_sim::scenario::Scenario;
+use sieben_sim::scenario::{Rules, Scenario};
 
 use crate::project::Build;
 use targets::Target;
 use watching::Watching;
 
-pub use opening::{Failed, Load, open};
+pub use opening::{Failed, Files, open};
 
 /// A campaign, ready to run: any number of threads run scenarios of it.
 pub struct Campaign {
@@ -34,6 +34,8 @@ pub struct Campaign {
     pub identity: Identity,
     /// The programs that each scenario runs on.
     pub programs: Vec<Subject>,
+    /// The recording that it replays, if it does.
+    recording: Option<Scenario>,
 }
 
 /// A program of a campaign.
@@ -48,6 +50,8 @@ pub struct Subject {
     watching: Watching,
     cycle_us: u64,
     scans: u64,
+    /// How closely a recording is followed.
+    rules: Rules,
     /// What is set before the first scan, whatever the number is.
     set: Vec<Setting>,
     /// Parameters of plants that are the same in every scenario: module, parameter, value.
@@ -77,7 +81,7 @@ impl Campaign {
     /// # Errors
     /// A value that was drawn does not fit; the message says so.
     pub fn scenario(&self, number: u64) -> Result<Scenario, String> {
-        self.programs[0].scenario(&self.spec, &self.given(number))
+        self.programs[0].scenario(self, &self.given(number))
     }
 
     /// What the bits of `[exhaustive]` are called, the first of the number first.

@@ -6,11 +6,14 @@ use std::time::Duration;
 
 use sieben_campaign::identity::Bundle;
 use sieben_campaign::numbering::Numbering;
-use sieben_campaign::spec::{Draw, Drawn, Spec, Value};
+use sieben_campaign::spec::{Draw, Drawn, Replay, Spec, Value};
 use sieben_cpu::Loaded;
 use sieben_model::cpu_type::CpuType;
 use sieben_model::diagnostic::Diagnostic;
 use sieben_model::problems::Problem;
+use sieben_sim::names::Name;
+use sieben_sim::scenario::rules::Tolerance;
+use sieben_sim::scenario::{Rules, Scenario};
 
 use super::targets::{self, Rounding, Target};
 use super::watching::{self, Failed as NotCompiled, Watched};
@@ -23,9 +26,22 @@ use crate::{controller, duration, schedule};
 /// fail a program that fits.
 const LOCAL_DATA: u32 = 32 * 1024;
 const NESTING: u8 = 2;
+/// Most lines of a recording that are told of.
+const ERRORS_MAX: usize = 10;
 
-/// Reads the program at a path, which counts from the folder of the campaign.
-pub type Load<'a> = dyn FnMut(&str) -> Result<Project, Refusal> + 'a;
+/// Where a campaign gets its files from: paths count from its folder.
+pub trait Files {
+    /// The program at a path.
+    ///
+    /// # Errors
+    /// It cannot be read.
+    fn project(&self, path: &str) -> Result<Project, Refusal>;
+    /// The text of a file.
+    ///
+    /// # Errors
+    /// It cannot be read.
+    fn text(&self, path: &str) -> Result<String, Refusal>;
+}
 
 /// Why a campaign cannot be run.
 pub enum Failed {
@@ -41,25 +57,67 @@ pub enum Failed {
 ///
 /// # Errors
 /// See [`Failed`].
-pub fn open(spec: Spec, text: &str, load: &mut Load<'_>, overrides: Overrides, engine: &Factory<'_>) -> Result<Campaign, Failed> {
+pub fn open(spec: Spec, text: &str, files: &dyn Files, overrides: Overrides, engine: &Factory<'_>) -> Result<Campaign, Failed> {
     let mut programs: Vec<Subject> = Vec::new();
     let mut bundle = Bundle::default();
+    let recording = spec.replay.as_ref().map(|replay| recording(replay, files, &mut bundle)).transpose()?;
+    let overrides = Overrides { cpu: overrides.cpu.or(recording.as_ref().and_then(|recording| recording.cpu)), ..overrides };
     for path in &spec.programs {
-        let project = load(&path.text).map_err(Failed::Refused)?;
+        let project = files.project(&path.text).map_err(Failed::Refused)?;
         take_in(&mut bundle, &path.text, &project);
         let watched = watching::compile(&project, &spec, overrides).map_err(|failed| match failed {
             NotCompiled::Program(build) => Failed::Program(build),
             NotCompiled::Expressions(diagnostics) => Failed::Spec(diagnostics),
         })?;
-        programs.push(subject(&spec, path.text.clone(), watched, engine).map_err(Failed::Spec)?);
+        programs.push(subject(&spec, path.text.clone(), watched, recording.as_ref(), engine).map_err(Failed::Spec)?);
     }
     let bits = programs.first().map_or(0, |program| program.bits.len());
     let numbering = Numbering::new(&spec, bits).map_err(|diagnostic| Failed::Spec(vec![diagnostic]))?;
     let identity = bundle.identity(text, spec.seed);
-    Ok(Campaign { spec, numbering, identity, programs })
+    Ok(Campaign { spec, numbering, identity, programs, recording })
 }
 
-fn subject(spec: &Spec, path: String, watched: Watched, engine: &Factory<'_>) -> Result<Subject, Vec<Diagnostic>> {
+/// The recording that a campaign replays.
+fn recording(replay: &Replay, files: &dyn Files, bundle: &mut Bundle) -> Result<Scenario, Failed> {
+    let path = &replay.scenario.text;
+    let text = files.text(path).map_err(Failed::Refused)?;
+    bundle.add(path.as_str(), &text);
+    let told = |message: String| Diagnostic::new(Problem::P7163, replay.scenario.span, message);
+    let scenario = Scenario::parse(&text).map_err(|errors| {
+        let all = errors.iter().take(ERRORS_MAX).map(|error| told(format!("`{path}`, line {}: {}", error.line, error.message)));
+        Failed::Spec(all.collect())
+    })?;
+    if scenario.has_tables() {
+        let message = format!("`{path}` has a table, whose rows are scenarios of their own");
+        return Err(Failed::Spec(vec![told(message).help("let `[sweep]` or `[exhaustive]` go through its values")]));
+    }
+    Ok(scenario)
+}
+
+/// What has to be the same as in the recording, and by how much it may be off.
+fn rules(spec: &Spec, scenario: Option<&Scenario>) -> Rules {
+    let mut rules = Rules::default();
+    if let (Some(replay), Some(scenario)) = (&spec.replay, scenario) {
+        rules.within = replay.within_us.div_ceil(scenario.cycle_us().max(1));
+        if let Some(by) = replay.tolerance {
+            rules.tolerate(None, Tolerance::Absolute(by));
+        }
+        replay.ignore.iter().for_each(|name| rules.ignore(name));
+    }
+    rules
+}
+
+/// Names of the recording that the program does not have.
+fn missing(spec: &Spec, scenario: &Scenario, build: &Build, rules: &Rules) -> Vec<Diagnostic> {
+    let Some(replay) = &spec.replay else { return Vec::new() };
+    let missing = |(line, name): (usize, &str)| {
+        let error = Name::parse(name, &build.project.symbols, &build.compiled.program).err().filter(|_| !rules.is_ignored(name))?;
+        Some(Diagnostic::new(Problem::P7161, replay.scenario.span, format!("`{}`, line {line}: {error}", replay.scenario.text)))
+    };
+    scenario.names().into_iter().filter_map(missing).take(ERRORS_MAX).collect()
+}
+
+fn subject(spec: &Spec, path: String, watched: Watched, recording: Option<&Scenario>, engine: &Factory<'_>) -> Result<Subject, Vec<Diagnostic>> {
     let Watched { build, watching } = watched;
     let mut wrong = Vec::new();
     let mut set = Vec::new();
@@ -114,6 +172,16 @@ fn subject(spec: &Spec, path: String, watched: Watched, engine: &Factory<'_>) ->
             })
         }
     };
+    let rules = rules(spec, recording);
+    if let Some(scenario) = recording {
+        wrong.extend(missing(spec, scenario, &build, &rules));
+        let plant = all.iter().any(|target| matches!(target, Target::Plant(..)));
+        if plant || !fixed.is_empty() || !spec.faults.is_empty() {
+            let place = spec.replay.as_ref().map_or_else(|| spec.span(), |replay| replay.scenario.span);
+            let message = "a recording brings the inputs of its plants along: their parameters and faults have nothing to do in it";
+            wrong.push(Diagnostic::new(Problem::P7159, place, message).help("`[disturb]` moves the inputs, lets them bounce, and adds to words"));
+        }
+    }
     if !wrong.is_empty() {
         return Err(wrong);
     }
@@ -124,10 +192,13 @@ fn subject(spec: &Spec, path: String, watched: Watched, engine: &Factory<'_>) ->
         ..*build.cpu
     }));
     let loaded = Loaded::new(cpu, Arc::new(build.compiled.program.clone()), |program, layout| engine(program, layout));
-    let cycle_us = duration::micros(schedule::going_cycle(None, &build.project.settings)).max(1);
-    let scans = scans(spec, cycle_us);
+    let cycle_us = match recording {
+        Some(scenario) => scenario.cycle_us(),
+        None => duration::micros(schedule::going_cycle(None, &build.project.settings)).max(1),
+    };
+    let scans = recording.map_or_else(|| scans(spec, cycle_us), Scenario::scans);
     let settings = controller::settings(&build);
-    Ok(Subject { path, cpu, loaded, settings, watching, cycle_us, scans, set, fixed, targets: all, bits, build })
+    Ok(Subject { path, cpu, loaded, settings, watching, cycle_us, scans, rules, set, fixed, targets: all, bits, build })
 }
 
 /// How many scans begin before a scenario ends: one, if nothing is said and every combination is tried.

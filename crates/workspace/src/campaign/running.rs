@@ -1,5 +1,6 @@
 //! The run of one scenario: nothing of it depends on the thread, on the time of day or on the scenarios before it.
 
+use sieben_campaign::disturbed::{Width, disturbed};
 use sieben_campaign::draws::Stream;
 use sieben_campaign::given::Given;
 use sieben_campaign::judge::{Broken, Judge, Scan};
@@ -7,9 +8,10 @@ use sieben_campaign::row::{Row, Verdict};
 use sieben_campaign::spec::{PropertyKind, Spec, Value};
 use sieben_cpu::{Cpu, OperatingMode, Rack};
 use sieben_model::address::Area;
-use sieben_sim::names::Setting;
+use sieben_sim::names::{Name, Setting};
+use sieben_sim::scenario::changing::Timed;
 use sieben_sim::scenario::made::Parts;
-use sieben_sim::scenario::{Happened, Onlooker, PlantLine, Rules, Scenario};
+use sieben_sim::scenario::{Happened, Onlooker, PlantLine, Scenario};
 
 use super::targets::{self, Rounding, Target};
 use super::{Campaign, Subject};
@@ -18,7 +20,8 @@ use crate::settings::modules;
 
 impl Subject {
     /// The scenario that is made of what is given.
-    pub(super) fn scenario(&self, spec: &Spec, given: &Given) -> Result<Scenario, String> {
+    pub(super) fn scenario(&self, campaign: &Campaign, given: &Given) -> Result<Scenario, String> {
+        let spec = &campaign.spec;
         let mut set = self.set.clone();
         let mut plants = self.plants(given.seed);
         for (name, index) in self.bits.iter().zip(0..) {
@@ -48,7 +51,29 @@ impl Subject {
                 at.push((*time, targets::setting(name, value, Rounding::Nearest)?));
             }
         }
+        if let Some(recording) = &campaign.recording {
+            return Ok(self.replayed(recording, spec, given, set, at));
+        }
         Ok(Scenario::made(Parts { cycle_us: self.cycle_us, scans: self.scans, plants, set, at, faults: given.faults.clone() }))
+    }
+
+    /// A recording with its inputs disturbed, and what else is given.
+    fn replayed(&self, recording: &Scenario, spec: &Spec, given: &Given, set: Vec<Setting>, at: Vec<(u64, Setting)>) -> Scenario {
+        let width = |name: &str| {
+            let parsed = Name::parse(name, &self.build.project.symbols, &self.build.compiled.program);
+            match parsed.map_or(16, |name| name.item().width()) {
+                1 => Width::Bit,
+                bits => Width::Word(bits),
+            }
+        };
+        let recorded = recording.timed();
+        let mut timed = match &spec.disturb {
+            Some(disturb) => disturbed(&recorded, disturb, given.seed, &width),
+            None => recorded,
+        };
+        timed.extend(at.into_iter().map(|(time_us, setting)| Timed { time_us, name: setting.name.text().to_owned(), value: setting.text }));
+        timed.sort_by_key(|one| one.time_us);
+        recording.with_timed(set, timed)
     }
 
     /// The plants, each with the seed that it has in the scenario.
@@ -99,12 +124,12 @@ pub(super) fn run(campaign: &Campaign, given: &Given) -> Row {
     let mut kept = None;
     for (index, subject) in campaign.programs.iter().enumerate() {
         let mut looking = Looking::new(spec, subject, kept.take(), campaign.programs.len() > 1);
-        match scenario(subject, spec, given) {
+        match scenario(campaign, subject, given) {
             Ok((scenario, rack)) => {
                 let mut rack = Some(rack);
                 // A scenario that code makes has one CPU.
                 let mut fresh = || subject.fresh(rack.take().unwrap_or_else(|| Rack::simulated(subject.cpu)));
-                scenario.run_with(&subject.build.project.symbols, &Rules::default(), &mut fresh, &mut looking);
+                scenario.run_with(&subject.build.project.symbols, &subject.rules, &mut fresh, &mut looking);
                 looking.ended();
             }
             Err(message) => looking.end = Some((Verdict::Error, None, Some(message))),
@@ -117,7 +142,7 @@ pub(super) fn run(campaign: &Campaign, given: &Given) -> Row {
         if let Some((verdict, broken, message)) = looking.end {
             row.verdict = verdict;
             row.property = broken.map(|broken| broken.property);
-            row.at = broken.map(|broken| broken.scan).or(looking.last);
+            row.at = broken.map(|broken| broken.scan).or(looking.differs).or(looking.last);
             row.message = match campaign.programs.len() {
                 1 => message,
                 _ => Some(format!("in `{}`{}", subject.path, message.map_or(String::new(), |message| format!(": {message}")))),
@@ -130,8 +155,11 @@ pub(super) fn run(campaign: &Campaign, given: &Given) -> Row {
 }
 
 /// The scenario with the modules that it runs with.
-fn scenario(subject: &Subject, spec: &Spec, given: &Given) -> Result<(Scenario, Rack), String> {
-    let scenario = subject.scenario(spec, given)?;
+fn scenario(campaign: &Campaign, subject: &Subject, given: &Given) -> Result<(Scenario, Rack), String> {
+    let scenario = subject.scenario(campaign, given)?;
+    if campaign.recording.is_some() {
+        return Ok((scenario, Rack::simulated(subject.cpu)));
+    }
     let modules = modules::with_plants(&subject.build.project.settings.modules, scenario.plants())?;
     Ok((scenario, modules::rack(&modules, subject.cpu)))
 }
@@ -149,6 +177,8 @@ struct Looking<'s> {
     scans: u64,
     last: Option<Scan>,
     end: Option<End>,
+    /// Where it differs from the recording.
+    differs: Option<Scan>,
     /// What the program before this one came to, scan by scan, and what this one does.
     before: Option<Vec<f64>>,
     kept: Option<Vec<f64>>,
@@ -174,6 +204,7 @@ impl<'s> Looking<'s> {
             scans: 0,
             last: None,
             end: None,
+            differs: None,
             before,
             kept: (keeps && !same.is_empty()).then(Vec::new),
             same,
@@ -243,8 +274,13 @@ impl Onlooker for Looking<'_> {
     fn see(&mut self, happened: Happened<'_>) {
         match happened {
             Happened::Scan { cpu, time_us, .. } if self.end.is_none() => self.scanned(cpu, time_us),
+            Happened::Differs(difference) => {
+                let moment = difference.moment;
+                self.differs = Some(Scan { number: moment.scan, at_us: moment.time_us });
+            }
             Happened::Failed(error) if self.end.is_none() => {
-                self.end = Some((Verdict::Error, None, Some(error.message.clone())));
+                let verdict = if self.differs.is_some() { Verdict::Fail } else { Verdict::Error };
+                self.end = Some((verdict, None, Some(error.message.clone())));
             }
             _ => {}
         }
