@@ -1,5 +1,6 @@
 //! What the scenarios of a campaign came to, taken together in the order of their numbers.
 
+use crate::draws::mix;
 use crate::row::{Row, Verdict};
 use crate::spec::{PropertyKind, Spec};
 
@@ -16,6 +17,8 @@ pub struct Tally {
     pub first: Option<Row>,
     /// Scans of all.
     pub scans: u64,
+    /// 64 bits over all that came of them: the same wherever and however they were run.
+    pub hash: u64,
 }
 
 /// What became of a property.
@@ -56,6 +59,7 @@ impl Tally {
     pub fn add(&mut self, row: &Row) {
         self.verdicts[Verdict::ALL.iter().position(|&verdict| verdict == row.verdict).unwrap_or(0)] += 1;
         self.scans += row.scans;
+        self.hash = row.parts().fold(self.hash, |hash, part| mix(hash ^ part));
         if row.verdict != Verdict::Pass && self.first.is_none() {
             self.first = Some(row.clone());
         }

@@ -773,6 +773,8 @@ problems! {
         "ein Wert einer Kampagne, der nicht zu seinem Namen passt" "Einen Wert des Datentyps schreiben, den der Name hat, innerhalb seines Bereichs.";
     P7163 Error "a program that a campaign cannot use" "Correct the path in the file of the campaign; it counts from the folder of that file."
         "ein Programm, das eine Kampagne nicht verwenden kann" "Den Pfad in der Datei der Kampagne berichtigen; er zählt vom Ordner dieser Datei an.";
+    P7164 Warning "an expression of a campaign that names nothing" "Write what the program does into it; a property of constants holds, or breaks, whatever happens."
+        "ein Ausdruck einer Kampagne, der nichts benennt" "Hineinschreiben, was das Programm tut; eine Eigenschaft aus Konstanten gilt oder bricht, was auch geschieht.";
 
     // 8xxx run time
     P8001 Error "the CPU went to STOP" "Read the diagnostic buffer: it names the block and the statement."

@@ -171,6 +171,7 @@ impl Run<'_> {
             object[verdict.word()] = tally.of(verdict).into();
         }
         object["duplicates"] = 0.into();
+        object["result_hash"] = format!("{:016x}", tally.hash).into();
         object["seconds"] = self.took.as_secs_f64().into();
         object["first_failure"] = first.into();
         object["properties"] = tally.properties.iter().enumerate().map(property).collect();

@@ -204,6 +204,7 @@ fn open(path: &Path, program: &ProgramArguments, seed: Option<u64>, engine: Engi
     let factory = engine.settled().factory(StatusBits::Needed);
     match campaign::open(spec, text, &around, program.overrides()?, &factory) {
         Ok(campaign) => {
+            findings.extend(campaign.warnings.iter().cloned().map(Finding::document));
             if !findings.is_empty() {
                 told(&mut findings, &texts);
             }

@@ -81,6 +81,11 @@ fn in_order<'a, 'i>(table: &'a DeTable<'i>) -> Vec<(&'a Key<'i>, &'a Value<'i>)>
     all
 }
 
+/// Whether this is the part of a name after its point, and not a word of the table.
+fn is_part(part: &Key<'_>, value: &Value<'_>) -> bool {
+    !matches!(part.get_ref().as_ref(), "walk") && matches!(value.get_ref(), DeValue::Table(_))
+}
+
 impl Reader<'_> {
     fn span(&self, range: std::ops::Range<usize>) -> Span {
         // Files above 64 MiB are refused before, so that offsets fit.
@@ -116,6 +121,7 @@ impl Reader<'_> {
             };
             let is_list = matches!(table, "fault" | "never" | "always" | "sometimes" | "response" | "finally" | "same" | "measure");
             match value.get_ref() {
+                DeValue::Table(inner) if matches!(table, "set" | "sweep" | "draw") => self.named(table, inner),
                 DeValue::Table(inner) if !is_list => self.table(table, keys, inner),
                 DeValue::Array(items) if is_list => {
                     for item in items {
@@ -132,10 +138,36 @@ impl Reader<'_> {
         self.together(root);
     }
 
+    /// A table whose keys are names of the program.
+    fn named(&mut self, table: &str, content: &DeTable<'_>) {
+        for (key, value) in in_order(content) {
+            match (table, value.get_ref()) {
+                // `Recipe.gain = …` without quotes is a table `Recipe` to TOML.
+                ("sweep" | "draw", DeValue::Table(inner)) if inner.len() == 1 && inner.iter().all(|(part, value)| is_part(part, value)) => {
+                    let part = inner.iter().next().map_or("", |(part, _)| part.get_ref());
+                    let message = format!("a name with a point stands in quotes: `\"{}.{part}\" = …`", key.get_ref());
+                    self.wrong_at(self.span(key.span()), message);
+                }
+                ("set", DeValue::Table(_)) => {
+                    let message = format!("`{}` has no single value; a name with a point stands in quotes: `\"Recipe.gain\" = 4.0`", key.get_ref());
+                    self.wrong_at(self.span(key.span()), message);
+                }
+                ("set", _) => {
+                    if let Some(set) = self.constant(value) {
+                        let name = self.placed(key);
+                        self.spec.set.push(Set { name, value: set });
+                    }
+                }
+                ("sweep", _) => self.sweep(key, value),
+                _ => self.draw(key, value),
+            }
+        }
+    }
+
     fn table(&mut self, table: &str, keys: &[&str], content: &DeTable<'_>) {
         for (key, value) in in_order(content) {
             let name: &str = key.get_ref();
-            if !keys.is_empty() && !keys.contains(&name) {
+            if !keys.contains(&name) {
                 self.unknown(table, key, keys);
                 continue;
             }
@@ -165,14 +197,6 @@ impl Reader<'_> {
                     let inputs = self.strings(value, name);
                     self.exhaustive().inputs = inputs;
                 }
-                ("set", _) => {
-                    if let Some(set) = self.constant(value) {
-                        let name = self.placed(key);
-                        self.spec.set.push(Set { name, value: set });
-                    }
-                }
-                ("sweep", _) => self.sweep(key, value),
-                ("draw", _) => self.draw(key, value),
                 ("disturb", _) => self.disturb(name, value),
                 ("matrix", _) => {
                     let programs = self.strings(value, name);
@@ -270,6 +294,13 @@ impl Reader<'_> {
             let span = root.iter().map(|(key, _)| key.span()).min_by_key(|span| span.start);
             let span = self.span(span.unwrap_or(0..0));
             self.spec.programs.push(Placed { text: ".".to_owned(), span });
+        }
+        let both = |table: &str| root.iter().any(|(key, value)| key.get_ref() == table && matches!(value.get_ref(), DeValue::Table(inner) if inner.contains_key("program")));
+        if both("campaign") && both("matrix") {
+            self.wrong_at(self.spec.span(), "programs stand in `[campaign]` or in `[matrix]`, not in both");
+        }
+        if self.spec.swarm_faults && self.spec.faults.is_empty() {
+            self.wrong_at(self.spec.span(), "`[swarm]` chooses among faults, and there is none: `[[fault]]`");
         }
         let whole = self.spec.span();
         let keys = self.spec.set.iter().map(|set| &set.name).chain(self.spec.sweep.iter().map(|sweep| &sweep.name));

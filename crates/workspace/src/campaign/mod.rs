@@ -15,6 +15,7 @@ use sieben_campaign::spec::Spec;
 use sieben_cpu::{Loaded, Settings};
 use sieben_engine::{Engine, Layout, Program};
 use sieben_model::cpu_type::CpuType;
+use sieben_model::diagnostic::Diagnostic;
 use sieben_sim::names::{Name, Setting};
 use sieben_sim::scenario::{Rules, Scenario};
 
@@ -34,6 +35,8 @@ pub struct Campaign {
     pub identity: Identity,
     /// The programs that each scenario runs on.
     pub programs: Vec<Subject>,
+    /// What its user is told although it can be run.
+    pub warnings: Vec<Diagnostic>,
     /// The recording that it replays, if it does.
     recording: Option<Scenario>,
 }

@@ -74,7 +74,8 @@ pub fn open(spec: Spec, text: &str, files: &dyn Files, overrides: Overrides, eng
     let bits = programs.first().map_or(0, |program| program.bits.len());
     let numbering = Numbering::new(&spec, bits).map_err(|diagnostic| Failed::Spec(vec![diagnostic]))?;
     let identity = bundle.identity(text, spec.seed);
-    Ok(Campaign { spec, numbering, identity, programs, recording })
+    let warnings = watching::constants(&spec);
+    Ok(Campaign { spec, numbering, identity, programs, warnings, recording })
 }
 
 /// The recording that a campaign replays.

@@ -123,6 +123,26 @@ fn statements(slot: &Slot<'_>) -> Option<Diagnostic> {
     Some(Diagnostic::new(Problem::P7160, slot.expression.span, message))
 }
 
+/// What is said of expressions that name nothing: such a property holds, or breaks, whatever the program does.
+pub(super) fn constants(spec: &Spec) -> Vec<Diagnostic> {
+    let names_nothing = |slot: &Slot<'_>| {
+        let text = &slot.expression.text;
+        let mut words = text.split(|c: char| !c.is_alphanumeric() && !matches!(c, '_' | '#' | '"' | '%' | '.'));
+        !words.any(|word| {
+            let is_constant = word.contains('#') || CONSTANT_WORDS.iter().any(|known| known.eq_ignore_ascii_case(word));
+            !is_constant && word.starts_with(|c: char| c.is_alphabetic() || matches!(c, '_' | '"' | '%'))
+        })
+    };
+    let message = |slot: &Slot<'_>| {
+        let message = format!("`{}` names nothing of the program: it has the same value in every scenario", slot.expression.text.trim());
+        Diagnostic::new(Problem::P7164, slot.expression.span, message)
+    };
+    slots(spec).iter().filter(|slot| names_nothing(slot)).map(message).collect()
+}
+
+/// Words of expressions that are no names.
+const CONSTANT_WORDS: [&str; 7] = ["TRUE", "FALSE", "AND", "OR", "XOR", "NOT", "MOD"];
+
 /// The source that is made of the expressions.
 struct Source {
     text: String,
