@@ -8,9 +8,9 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use sieben_lang::encoding::MAX_SOURCE_BYTES;
+use sieben_model::nearest::nearest;
 use sieben_model::problems::Problem;
 use sieben_model::visible;
-use sieben_workspace::nearest::nearest;
 
 use crate::failure::Failure;
 

@@ -7,10 +7,10 @@ use std::path::{Path, PathBuf};
 use sieben_lang::awlsim_project::{Content, Source};
 use sieben_lang::encoding::{self, Encoding};
 use sieben_model::diagnostic::Diagnostic;
+use sieben_model::nearest::nearest;
 use sieben_model::problems::Problem;
 use sieben_model::source::Span;
 use sieben_workspace::finding::Finding;
-use sieben_workspace::nearest::nearest;
 use sieben_workspace::project::Project;
 use sieben_workspace::settings::{self, Placed, Settings};
 

@@ -39,7 +39,7 @@ fn every_combination_is_tried_and_the_first_that_breaks_is_told() {
     let unsound = Folder::with(&[("main.awl", &motor("").replace(" AN I 0.0;\n", "")), ("c.toml", INTERLOCK)]);
     let run = unsound.run(&["campaign", "run", "c.toml"]).code(1);
     assert!(run.stdout.contains("broken in 32 scenarios, first in 7"), "{}", run.stdout);
-    assert!(run.stdout.contains("1 of the 1 input: I 0.0, I 0.1, I 0.2"), "{}", run.stdout);
+    assert!(run.stdout.contains("inputs that are 1: I 0.0, I 0.1, I 0.2"), "{}", run.stdout);
     // The scenario that it names breaks by itself.
     let shown = unsound.run(&["campaign", "show", "c.toml", "7"]).code(0).stdout;
     let expected = format!("{shown}expect Q 0.0=1 Q 0.1=1\n");
@@ -132,7 +132,9 @@ fn a_recording_is_replayed_with_its_inputs_disturbed() {
     let times = ["--at", "100ms", "I 0.0=1", "--at", "200ms", "I 0.0=0", "--at", "300ms", "I 0.0=1"];
     let record: Vec<&str> = ["record", "main.awl", "--for", "1s", "-o", "plant.scenario"].into_iter().chain(times).collect();
     folder.run(&record).code(0);
-    let spec = |more: &str| format!("[campaign]\nprogram = \"main.awl\"\nreplay = \"plant.scenario\"\nwithin = \"20ms\"\nsamples = 100\nseed = 1\n{more}");
+    let spec = |more: &str| {
+        format!("[campaign]\nprogram = \"main.awl\"\nreplay = \"plant.scenario\"\nwithin = \"20ms\"\nsamples = 100\nseed = 1\n{more}")
+    };
     folder.write("c.toml", spec("[disturb]\ntime = { uniform = [\"-15ms\", \"15ms\"] }\n").as_bytes());
     folder.run(&["campaign", "run", "c.toml"]).code(0);
     folder.write("c.toml", spec("[disturb]\nbounce = { chance = 0.2, for = \"30ms\" }\n").as_bytes());
@@ -154,7 +156,10 @@ fn plants_have_their_parameters_and_faults() {
     let folder = Folder::with(&[("sieben.toml", project), ("main.awl", program), ("c.toml", spec)]);
     let result = folder.run(&["campaign", "run", "c.toml", "--json"]).code(0).json();
     let (hot, cold) = (&result["measures"][0], &result["measures"][1]);
-    assert!(hot["max_scenario"].as_u64() >= Some(10) && hot["max"].as_f64() > Some(2_000.0) && hot["min"].as_f64() < Some(1_000.0), "{hot}");
+    assert!(
+        hot["max_scenario"].as_u64() >= Some(10) && hot["max"].as_f64() > Some(2_000.0) && hot["min"].as_f64() < Some(1_000.0),
+        "{hot}"
+    );
     assert_eq!(cold["min"], -500.0);
     let shown = folder.run(&["campaign", "show", "c.toml", "10"]).code(0).stdout;
     assert!(shown.contains("plant oven limit=1500 noise=0 gain=400 seed="), "{shown}");

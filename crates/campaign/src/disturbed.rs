@@ -116,11 +116,8 @@ mod tests {
 
     #[test]
     fn the_order_on_one_name_is_kept() {
-        let disturb = Disturb {
-            time: Some(Law::Uniform(-15_000.0, 15_000.0)),
-            bounce: Some((0.5, 30_000)),
-            value: Some(Law::Normal(0.0, 3.0)),
-        };
+        let disturb =
+            Disturb { time: Some(Law::Uniform(-15_000.0, 15_000.0)), bounce: Some((0.5, 30_000)), value: Some(Law::Normal(0.0, 3.0)) };
         let mut bounced = 0;
         for seed in 0..500 {
             let all = disturbed(&recorded(), &disturb, seed, &width);

@@ -78,7 +78,11 @@ mod tests {
         let identity = bundle("A I 0.0;\n").identity("seed = 1\n", 1);
         assert_eq!(identity, bundle("\u{FEFF}A I 0.0;\r\n").identity("seed = 1\r\n", 1));
         assert_eq!((identity.program.len(), identity.campaign.len()), (64, 64));
-        let others = [bundle("A I 0.1;\n").identity("seed = 1\n", 1), bundle("A I 0.0;\n").identity("", 1), bundle("A I 0.0;\n").identity("seed = 1\n", 2)];
+        let others = [
+            bundle("A I 0.1;\n").identity("seed = 1\n", 1),
+            bundle("A I 0.0;\n").identity("", 1),
+            bundle("A I 0.0;\n").identity("seed = 1\n", 2),
+        ];
         assert!(others.iter().all(|other| other.campaign != identity.campaign));
         assert_eq!(others[1].program, identity.program);
     }

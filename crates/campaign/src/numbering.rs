@@ -36,12 +36,13 @@ impl Numbering {
     ///
     /// # Errors
     /// There are more scenarios than can be numbered.
-    pub fn new(spec: &Spec, bits: usize) -> Result<Self, Diagnostic> {
+    pub fn new(spec: &Spec, bits: usize) -> Result<Self, Box<Diagnostic>> {
         let place = |span: Option<Span>| span.unwrap_or_else(|| spec.span());
         if bits > BITS_MAX {
             let first = spec.exhaustive.as_ref().and_then(|exhaustive| exhaustive.inputs.first()).map(|input| input.span);
             let message = format!("{bits} bits have 2^{bits} combinations; {BITS_MAX} bits are the limit");
-            return Err(Diagnostic::new(Problem::P7158, place(first), message).help("leave out inputs that do not matter here, or draw them"));
+            let told = Diagnostic::new(Problem::P7158, place(first), message);
+            return Err(Box::new(told.help("leave out inputs that do not matter here, or draw them")));
         }
         let sweeps: Vec<u64> = spec.sweep.iter().map(|sweep| sweep.values.len().max(1) as u64).collect();
         let all = sweeps.iter().copied().chain([spec.samples.max(1)]);
@@ -49,7 +50,8 @@ impl Numbering {
         let Some(count) = count else {
             let message = "there are more than 2^62 scenarios: combinations, values of sweeps and samples are multiplied".to_owned();
             let first = spec.sweep.first().map(|sweep| sweep.name.span);
-            return Err(Diagnostic::new(Problem::P7158, place(first), message).help("draw values instead of trying all of them: `samples` says how many"));
+            let told = Diagnostic::new(Problem::P7158, place(first), message);
+            return Err(Box::new(told.help("draw values instead of trying all of them: `samples` says how many")));
         };
         Ok(Self { bits: bits as u32, samples: spec.samples.max(1), sweeps, count: count as u64 })
     }

@@ -71,6 +71,10 @@ impl Row {
         let verdict = Verdict::ALL.iter().position(|&one| one == self.verdict).unwrap_or(0) as u64;
         let ended = [self.scenario, self.seed, verdict, self.property.map_or(0, |property| property as u64 + 1)];
         let measures = self.measures.iter().map(|measure| measure.map_or(u64::MAX, f64::to_bits));
-        ended.into_iter().chain([self.scans, self.virtual_us, self.trace_hash]).chain(measures).chain(self.came.iter().map(|&came| u64::from(came)))
+        ended
+            .into_iter()
+            .chain([self.scans, self.virtual_us, self.trace_hash])
+            .chain(measures)
+            .chain(self.came.iter().map(|&came| u64::from(came)))
     }
 }

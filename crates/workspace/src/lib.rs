@@ -19,7 +19,6 @@ pub mod gate;
 pub mod local_check;
 pub mod metrics;
 pub mod names;
-pub use sieben_model::nearest;
 pub mod observed;
 pub mod online_change;
 pub mod pace;

@@ -9,8 +9,8 @@ use sieben_model::problems::Problem;
 use sieben_model::symbols::SymbolTable;
 use sieben_sim::names::{Name, NameError, Setting, Shown, catalogue};
 
-use crate::nearest::nearest;
 use crate::refusal::Refusal;
+use sieben_model::nearest::nearest;
 
 /// Splits a list of names at commas outside brackets and quotes: `MW 10,DB1.field[1,2],"a,b"`.
 pub fn split_list(list: &str) -> Vec<&str> {

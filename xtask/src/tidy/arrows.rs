@@ -14,10 +14,11 @@ const ARROWS: &[(&str, &[&str])] = &[
     ("cpu", &["engine"]),
     ("sim", &["cpu"]),
     ("ide", &["lang"]),
-    ("workspace", &["ide", "sim", "cpu", "lang"]),
+    ("campaign", &["sim"]),
+    ("workspace", &["ide", "campaign", "sim", "cpu", "lang"]),
     ("comm", &["workspace"]),
     ("workbench", &["workspace"]),
-    ("app", &["workbench", "comm", "workspace", "ide", "sim", "cpu", "lang", "jit"]),
+    ("app", &["workbench", "comm", "workspace", "campaign", "ide", "sim", "cpu", "lang", "jit"]),
 ];
 
 /// Rooms that may use files, network, time and processes; only they have an empty `clippy.toml`.

@@ -31,7 +31,8 @@ pub(crate) fn scenarios(count: u64) -> String {
     several(count, "scenario")
 }
 
-fn several(count: u64, what: &str) -> String {
+/// `1 scan`, `3 scans`.
+pub(crate) fn several(count: u64, what: &str) -> String {
     format!("{count} {what}{}", if count == 1 { "" } else { "s" })
 }
 
@@ -63,7 +64,8 @@ impl Run<'_> {
         let run = if tally.run() == self.asked { scenarios(self.asked) } else { format!("{} of {}", tally.run(), scenarios(self.asked)) };
         let mut text = format!("{name}: {run}, {} in {}\n", several(tally.scans, "scan"), duration::show(rounded(*took)));
         let wide = |names: &mut dyn Iterator<Item = usize>| names.max().unwrap_or(0);
-        let names = wide(&mut spec.properties.iter().map(|p| p.name.chars().count()).chain(spec.measures.iter().map(|m| m.name.chars().count())));
+        let names =
+            wide(&mut spec.properties.iter().map(|p| p.name.chars().count()).chain(spec.measures.iter().map(|m| m.name.chars().count())));
         for (property, of) in spec.properties.iter().zip(&tally.properties) {
             let came = match (property.kind, of.came, of.broken, of.first) {
                 (PropertyKind::Sometimes, 0, ..) => "never came".to_owned(),
@@ -109,12 +111,12 @@ impl Run<'_> {
         if let Some(message) = &row.message {
             let _ = writeln!(text, "  {message}");
         }
-        if let Some(exhaustive) = &spec.exhaustive {
+        if spec.exhaustive.is_some() {
             let bits = self.campaign.bits();
             let combination = self.campaign.given(row.scenario).point.combination;
             let set: Vec<&str> = bits.enumerate().filter(|(index, _)| combination >> index & 1 != 0).map(|(_, name)| name).collect();
             let shown = if set.is_empty() { "none".to_owned() } else { set.join(", ") };
-            let _ = writeln!(text, "  1 of the {}: {shown}", several(exhaustive.inputs.len() as u64, "input"));
+            let _ = writeln!(text, "  inputs that are 1: {shown}");
         }
         let names = spec.sweep.iter().map(|sweep| (&sweep.name, &sweep.unit)).chain(spec.draw.iter().map(|draw| (&draw.name, &draw.unit)));
         for ((name, unit), given) in names.zip(&row.parameters) {

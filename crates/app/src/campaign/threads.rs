@@ -60,7 +60,9 @@ pub(crate) fn run(campaign: &Campaign, orders: &Orders<'_>, tell: &mut dyn FnMut
         for _ in 0..orders.workers.get() {
             let send_rows = send_rows.clone();
             let (ranges, enough) = (&ranges, &enough);
-            scope.spawn(move || work(campaign, ranges, &send_rows, &|| enough.load(Ordering::Relaxed) || orders.cancelled.load(Ordering::Relaxed)));
+            scope.spawn(move || {
+                work(campaign, ranges, &send_rows, &|| enough.load(Ordering::Relaxed) || orders.cancelled.load(Ordering::Relaxed))
+            });
         }
         drop(send_rows);
         let mut hand = Hand::new(campaign, orders);

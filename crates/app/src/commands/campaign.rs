@@ -181,7 +181,13 @@ impl Files for Around<'_> {
 }
 
 /// Reads a campaign and compiles its programs; otherwise its findings are printed.
-fn open(path: &Path, program: &ProgramArguments, seed: Option<u64>, engine: EngineArgument, json: bool) -> Result<Result<Opened, Exit>, Failure> {
+fn open(
+    path: &Path,
+    program: &ProgramArguments,
+    seed: Option<u64>,
+    engine: EngineArgument,
+    json: bool,
+) -> Result<Result<Opened, Exit>, Failure> {
     let bytes = files::read(path)?;
     let mut texts = Texts::default();
     let text = String::from_utf8(bytes).map_err(|_| Failure::usage(Problem::P7156, format!("`{}` is not UTF-8 text", path.display())))?;
@@ -248,10 +254,10 @@ fn list(arguments: &ListArguments) -> Result<Exit, Failure> {
         return Ok(Exit::Success);
     }
     let mut text = format!(
-        "{}: {} of up to {} scans at a cycle of {}\n",
+        "{}: {} of up to {} at a cycle of {}\n",
         opened.name,
         said::scenarios(campaign.scenarios()),
-        subject.scans(),
+        said::several(subject.scans(), "scan"),
         sieben_workspace::duration::show(Duration::from_micros(subject.cycle_us()))
     );
     let width = columns.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);

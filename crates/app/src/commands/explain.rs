@@ -24,8 +24,8 @@ use sieben_model::diagnostic::Severity;
 use sieben_model::interface::{Interface, Section, SystemBlock};
 use sieben_model::language::{Language, Text, pick};
 use sieben_model::mnemonics::Mnemonics;
+use sieben_model::nearest::nearest;
 use sieben_model::problems::Problem;
-use sieben_workspace::nearest::nearest;
 
 use crate::failure::{Exit, Failure};
 use crate::language;

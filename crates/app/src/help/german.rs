@@ -32,6 +32,7 @@ pub(super) const VALUES: &[Row] = &[
     ("WHICH", "WELCHE"),
     ("WORD", "WORT"),
     ("[NAME=]NUMBER[%]", "[NAME=]ZAHL[%]"),
+    ("first|never|N", "first|never|N"),
 ];
 
 /// What verbs and arguments do.
@@ -485,6 +486,34 @@ pub(super) const SENTENCES: &[Row] = &[
         "Print which inputs, outputs, bit memory, timers and counters are used",
         "Ausgeben, welche Eingänge, Ausgänge, Merker, Zeiten und Zähler belegt sind",
     ),
+    // campaign
+    (
+        "Run a program through very many scenarios: every combination of its inputs, drawn values, faults",
+        "Ein Programm durch sehr viele Szenarien laufen lassen: jede Kombination seiner Eingänge, gezogene Werte, Fehler",
+    ),
+    (
+        "Print how many scenarios a campaign has, and the columns of its result; nothing runs",
+        "Ausgeben, wie viele Szenarien eine Kampagne hat und welche Spalten ihr Ergebnis; nichts läuft",
+    ),
+    ("Run the scenarios of a campaign", "Die Szenarien einer Kampagne ausführen"),
+    ("Print one scenario of a campaign as a *.scenario file", "Ein Szenario einer Kampagne als *.scenario-Datei ausgeben"),
+    ("The file of the campaign", "Die Datei der Kampagne"),
+    ("Another seed than that of the file", "Ein anderer Startwert als der der Datei"),
+    ("Print it as one JSON object", "Als ein JSON-Objekt ausgeben"),
+    ("Threads [default: one for each processor]", "Threads [Standard: einer je Prozessor]"),
+    ("Only these scenarios, both of them too", "Nur diese Szenarien, beide Grenzen eingeschlossen"),
+    (
+        "Scenarios that a thread takes at once [default: as many as take a quarter of a second]",
+        "Szenarien, die ein Thread auf einmal nimmt [Standard: so viele, wie eine Viertelsekunde dauern]",
+    ),
+    (
+        "End after the first failure, or after so many; it is always the one with the least number",
+        "Nach dem ersten Fehlschlag enden, oder nach so vielen; es ist immer der mit der kleinsten Nummer",
+    ),
+    ("End after so much real time", "Nach so viel echter Zeit enden"),
+    ("Print lines of progress and the result as JSON", "Zeilen zum Fortschritt und das Ergebnis als JSON ausgeben"),
+    ("Print no progress", "Keinen Fortschritt ausgeben"),
+    ("The number of the scenario, from 0", "Die Nummer des Szenarios, ab 0"),
 ];
 
 /// What stands below the arguments: headings, what an example does, paragraphs.
@@ -636,6 +665,19 @@ pub(super) const BELOW: &[Row] = &[
     (
         "Exit codes: 0 ok, 1 an expectation of the scenario failed, 2 usage, 3 does not compile, 4 the CPU went to STOP.",
         "Exitcodes: 0 in Ordnung, 1 eine Erwartung des Szenarios traf nicht ein, 2 Aufruf, 3 nicht übersetzbar, 4 die CPU ging in STOP.",
+    ),
+    // campaign
+    ("all of it, on all processors", "alles, auf allen Prozessoren"),
+    ("the first thousand", "die ersten tausend"),
+    ("the failure with the least number", "der Fehlschlag mit der kleinsten Nummer"),
+    ("lines of progress, then the result", "Zeilen zum Fortschritt, dann das Ergebnis"),
+    (
+        "What comes of it does not depend on threads, engine or machine: a scenario is a function of the program, the file, the seed and its number.",
+        "Was herauskommt, hängt nicht von Threads, Engine oder Rechner ab: Ein Szenario ist eine Funktion des Programms, der Datei, des Startwerts und seiner Nummer.",
+    ),
+    (
+        "Exit codes: 0 all held, 1 a property broke or what has to come sometimes never came, 2 usage, 3 does not compile, 5 the time is used up, 130 Ctrl+C.",
+        "Exitcodes: 0 alles gilt, 1 eine Eigenschaft brach oder was manchmal kommen muss, kam nie, 2 Aufruf, 3 nicht übersetzbar, 5 die Zeit ist aufgebraucht, 130 Strg+C.",
     ),
     // explain, fmt, convert, new
     ("an instruction, in either mnemonic language", "eine Operation, in beiden Mnemoniken"),

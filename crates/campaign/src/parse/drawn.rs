@@ -98,7 +98,10 @@ impl Reader<'_> {
         let (made, message) = match law {
             "uniform" => (Law::Uniform(a, b), (a > b).then_some("the first of `uniform` is not greater than the second")),
             "normal" => (Law::Normal(a, b), (b < 0.0).then_some("the second of `normal` is the standard deviation, which is not below 0")),
-            _ => (Law::LogUniform(a, b), (a <= 0.0 || a > b).then_some("both of `log_uniform` are greater than 0, and the first is not greater than the second")),
+            _ => (
+                Law::LogUniform(a, b),
+                (a <= 0.0 || a > b).then_some("both of `log_uniform` are greater than 0, and the first is not greater than the second"),
+            ),
         };
         match message {
             Some(message) => {
@@ -143,7 +146,10 @@ impl Reader<'_> {
                 }
             },
             _ => {
-                self.wrong(value, format!("write a duration or how it is drawn: `{name} = \"30s\"` or `{name} = {{ uniform = [\"5s\", \"60s\"] }}`"));
+                self.wrong(
+                    value,
+                    format!("write a duration or how it is drawn: `{name} = \"30s\"` or `{name} = {{ uniform = [\"5s\", \"60s\"] }}`"),
+                );
                 None
             }
         }
@@ -175,7 +181,10 @@ impl Reader<'_> {
         }
         let (Some(chance), Some(signal), Some(from), Some(lasts), false) = (chance, signal, from, lasts, kinds.is_empty()) else {
             if self.diagnostics.len() == before {
-                self.wrong(item, "a fault needs its signal and how it fails: `signal = \"oven.temperature\"` and `fault = [\"stuck\", \"drift=0.2\"]`");
+                self.wrong(
+                    item,
+                    "a fault needs its signal and how it fails: `signal = \"oven.temperature\"` and `fault = [\"stuck\", \"drift=0.2\"]`",
+                );
             }
             return;
         };

@@ -131,7 +131,9 @@ impl Reader<'_> {
                         }
                     }
                 }
-                _ if is_list => self.wrong(value, format!("there can be several of these: write `[[{table}]]` in two brackets on a line of its own")),
+                _ if is_list => {
+                    self.wrong(value, format!("there can be several of these: write `[[{table}]]` in two brackets on a line of its own"))
+                }
                 _ => self.wrong(value, format!("`{table}` is a table: write `[{table}]` on a line of its own, and its keys below")),
             }
         }
@@ -149,7 +151,8 @@ impl Reader<'_> {
                     self.wrong_at(self.span(key.span()), message);
                 }
                 ("set", DeValue::Table(_)) => {
-                    let message = format!("`{}` has no single value; a name with a point stands in quotes: `\"Recipe.gain\" = 4.0`", key.get_ref());
+                    let message =
+                        format!("`{}` has no single value; a name with a point stands in quotes: `\"Recipe.gain\" = 4.0`", key.get_ref());
                     self.wrong_at(self.span(key.span()), message);
                 }
                 ("set", _) => {
@@ -242,8 +245,12 @@ impl Reader<'_> {
     fn state(&mut self, value: &Value<'_>) {
         let message = match value.get_ref() {
             DeValue::String(word) if word == "initial" => return,
-            DeValue::String(word) if word == "reachable" => "every reachable state is not there yet: `state = \"initial\"` begins each combination after the start",
-            DeValue::String(word) if word == "any" => "every state of the memory bits is not there yet: `state = \"initial\"` begins each combination after the start",
+            DeValue::String(word) if word == "reachable" => {
+                "every reachable state is not there yet: `state = \"initial\"` begins each combination after the start"
+            }
+            DeValue::String(word) if word == "any" => {
+                "every state of the memory bits is not there yet: `state = \"initial\"` begins each combination after the start"
+            }
             _ => return self.wrong(value, "`state` is `\"initial\"`: each combination begins after the start"),
         };
         self.diagnostics.push(Diagnostic::new(Problem::P7159, self.span(value.span()), message));
@@ -295,7 +302,11 @@ impl Reader<'_> {
             let span = self.span(span.unwrap_or(0..0));
             self.spec.programs.push(Placed { text: ".".to_owned(), span });
         }
-        let both = |table: &str| root.iter().any(|(key, value)| key.get_ref() == table && matches!(value.get_ref(), DeValue::Table(inner) if inner.contains_key("program")));
+        let both = |table: &str| {
+            root.iter().any(|(key, value)| {
+                key.get_ref() == table && matches!(value.get_ref(), DeValue::Table(inner) if inner.contains_key("program"))
+            })
+        };
         if both("campaign") && both("matrix") {
             self.wrong_at(self.spec.span(), "programs stand in `[campaign]` or in `[matrix]`, not in both");
         }

@@ -24,10 +24,16 @@ impl Reader<'_> {
         let complete = expression.is_some() && (kind != PropertyKind::Response || then.is_some());
         let Some(expression) = expression.filter(|_| complete) else {
             if self.diagnostics.len() == before {
-                self.wrong(item, match kind {
-                    PropertyKind::Response => "a response has `when`, `then` and `within`: `when = \"Start\"`, `then = \"Running\"`, `within = \"2s\"`".to_owned(),
-                    kind => format!("`[[{}]]` needs an expression: `expr = \"Star AND Delta\"`", kind.word()),
-                });
+                self.wrong(
+                    item,
+                    match kind {
+                        PropertyKind::Response => {
+                            "a response has `when`, `then` and `within`: `when = \"Start\"`, `then = \"Running\"`, `within = \"2s\"`"
+                                .to_owned()
+                        }
+                        kind => format!("`[[{}]]` needs an expression: `expr = \"Star AND Delta\"`", kind.word()),
+                    },
+                );
             }
             return;
         };
@@ -68,7 +74,8 @@ impl Reader<'_> {
 
     /// The name, else the expression; no two of the file are called alike.
     fn own_name(&mut self, name: Option<Placed>, expression: &Placed, item: &Value<'_>) -> Option<Placed> {
-        let name = name.unwrap_or_else(|| Placed { text: expression.text.split_whitespace().collect::<Vec<_>>().join(" "), ..expression.clone() });
+        let name =
+            name.unwrap_or_else(|| Placed { text: expression.text.split_whitespace().collect::<Vec<_>>().join(" "), ..expression.clone() });
         let properties = self.spec.properties.iter().map(|property| &property.name);
         if properties.chain(self.spec.measures.iter().map(|measure| &measure.name)).any(|known| *known == name.text) {
             self.wrong(item, format!("`{}` is there already: give this one another `name`", name.text));

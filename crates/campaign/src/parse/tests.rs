@@ -106,16 +106,20 @@ fn a_grid_with_draws_and_faults() {
     assert_eq!(spec.set[1].value, Value::Text("16#02".to_owned()));
     // The order of the file, not of the alphabet: the last one runs fastest.
     assert_eq!(spec.sweep.iter().map(|sweep| sweep.name.text.as_str()).collect::<Vec<_>>(), ["Recipe.reset_time", "Recipe.gain"]);
-    assert_eq!(spec.sweep[1].values.iter().filter_map(|value| if let Value::Number(n) = value { Some(*n) } else { None }).collect::<Vec<_>>(), [
-        1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0
-    ]);
+    assert_eq!(
+        spec.sweep[1].values.iter().filter_map(|value| if let Value::Number(n) = value { Some(*n) } else { None }).collect::<Vec<_>>(),
+        [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0]
+    );
     let drawn: Vec<&Drawn> = spec.draw.iter().map(|Draw { drawn, .. }| drawn).collect();
     assert_eq!(drawn[0], &Drawn::Once(Law::Normal(180.0, 8.0)));
     assert_eq!(drawn[2], &Drawn::Once(Law::LogUniform(10.0, 100.0)));
     assert_eq!(drawn[3], &Drawn::Choice(vec![Value::Number(1.0), Value::Number(2.0), Value::Number(5.0)]));
     assert_eq!(drawn[4], &Drawn::Walk(Walk { every_us: 2_000_000, chance: 0.1, step: None, least: f64::MIN, most: f64::MAX }));
     let fault = &spec.faults[0];
-    assert_eq!((fault.stream.as_str(), fault.chance, fault.from, fault.lasts), ("oven.temperature", 0.25, Law::Uniform(60e6, 300e6), Some(Law::Fixed(5e6))));
+    assert_eq!(
+        (fault.stream.as_str(), fault.chance, fault.from, fault.lasts),
+        ("oven.temperature", 0.25, Law::Uniform(60e6, 300e6), Some(Law::Fixed(5e6)))
+    );
     assert_eq!(fault.kinds, [FaultKind::Stuck(None), FaultKind::Drift(0.2)]);
     assert_eq!((spec.properties[0].name.as_str(), spec.properties[0].within_us), ("On", 2_000_000));
     assert_eq!((spec.measures[0].of, spec.measures[0].unit.as_deref()), (Of::Max, Some("K")));
@@ -128,7 +132,10 @@ fn a_recording_that_is_disturbed() {
     assert_eq!((replay.within_us, replay.tolerance, replay.ignore), (20_000, Some(0.5), vec!["Clock".to_owned()]));
     assert_eq!(spec.programs.iter().map(|program| program.text.as_str()).collect::<Vec<_>>(), ["old", "new"]);
     let disturb = spec.disturb.expect("it is there");
-    assert_eq!((disturb.time, disturb.bounce, disturb.value), (Some(Law::Uniform(-15e3, 15e3)), Some((0.2, 30_000)), Some(Law::Normal(0.0, 3.0))));
+    assert_eq!(
+        (disturb.time, disturb.bounce, disturb.value),
+        (Some(Law::Uniform(-15e3, 15e3)), Some((0.2, 30_000)), Some(Law::Normal(0.0, 3.0)))
+    );
 }
 
 #[test]
@@ -164,7 +171,12 @@ fn every_mistake_has_a_sentence_and_a_place() {
         ("[sweep]\nA = { values = [1, true] }", "P7157", "all numbers", "[1, true]"),
         ("[sweep]\nA = { from = 1, to = 2, steps = 0 }", "P7157", "whole number from 1", "0"),
         ("[sweep]\nA = { from = 1, to = 2, steps = 99999999 }", "P7157", "at most", "{ from = 1, to = 2, steps = 99999999 }"),
-        ("[sweep]\nA = { from = 0, to = 2, steps = 3, log = true }", "P7157", "greater than 0", "{ from = 0, to = 2, steps = 3, log = true }"),
+        (
+            "[sweep]\nA = { from = 0, to = 2, steps = 3, log = true }",
+            "P7157",
+            "greater than 0",
+            "{ from = 0, to = 2, steps = 3, log = true }",
+        ),
         ("[sweep]\nA = { from = 1, values = [2] }", "P7157", "write `{ from", "{ from = 1, values = [2] }"),
         ("[draw]\nA = { uniform = [2, 1] }", "P7157", "not greater", "[2, 1]"),
         ("[draw]\nA = { normal = [2, -1] }", "P7157", "standard deviation", "[2, -1]"),
@@ -186,11 +198,14 @@ fn every_mistake_has_a_sentence_and_a_place() {
         ("[campaign]\nname = \"x\"", "P7157", "nothing is asked", "campaign"),
         ("", "P7157", "nothing is asked", ""),
     ] {
-        let asks = part.contains("nothing is asked") || text.contains("[[") || text.contains("= [1]") || text == "never = 5" || text == "a b";
+        let asks =
+            part.contains("nothing is asked") || text.contains("[[") || text.contains("= [1]") || text == "never = 5" || text == "a b";
         let text = if asks { text.to_owned() } else { format!("{text}{NEVER}") };
         let (spec, diagnostics) = parse(&text, FileId(0));
         assert!(spec.is_none(), "{text}");
-        let found = diagnostics.iter().find(|one| one.problem.code() == code && (one.message.contains(part) || one.help.as_deref().unwrap_or("").contains(part)));
+        let found = diagnostics
+            .iter()
+            .find(|one| one.problem.code() == code && (one.message.contains(part) || one.help.as_deref().unwrap_or("").contains(part)));
         let Some(found) = found else { panic!("{text}\n{diagnostics:#?}") };
         let at = &text[found.span.start as usize..found.span.end as usize];
         assert!(place.is_empty() || at.trim() == place, "{text}\n{at}\n{found:?}");
@@ -218,7 +233,8 @@ fn of_a_million_mistakes_a_hundred_are_told() {
 
 #[test]
 fn steps_reach_both_ends() {
-    let numbers = |all: Vec<Value>| all.into_iter().filter_map(|value| if let Value::Number(n) = value { Some(n) } else { None }).collect::<Vec<_>>();
+    let numbers =
+        |all: Vec<Value>| all.into_iter().filter_map(|value| if let Value::Number(n) = value { Some(n) } else { None }).collect::<Vec<_>>();
     assert_eq!(numbers(values::steps(1.0, 2.0, 1, false)), [1.0]);
     assert_eq!(numbers(values::steps(0.1, 0.7, 3, false)), [0.1, 0.1 + (0.7 - 0.1) * 0.5, 0.7]);
     let log = numbers(values::steps(1.0, 100.0, 3, true));

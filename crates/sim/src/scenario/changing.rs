@@ -61,14 +61,14 @@ mod tests {
 
     #[test]
     fn its_inputs_are_replaced_and_all_else_stays() {
-        let text = "cycle 20ms\nstart with I 0.1=1\nalways Q 0.0=0\nscan 5\nat 100ms I 0.0=1 MW 4=5\nscan 2\nat 150ms I 0.0=0\nscan until 1s\n";
+        let text =
+            "cycle 20ms\nstart with I 0.1=1\nalways Q 0.0=0\nscan 5\nat 100ms I 0.0=1 MW 4=5\nscan 2\nat 150ms I 0.0=0\nscan until 1s\n";
         let scenario = Scenario::parse(text).expect("a scenario");
         let timed = scenario.timed();
-        assert_eq!(timed.iter().map(|one| (one.time_us, one.name.as_str(), one.value.as_str())).collect::<Vec<_>>(), [
-            (100_000, "I 0.0", "1"),
-            (100_000, "MW 4", "5"),
-            (150_000, "I 0.0", "0"),
-        ]);
+        assert_eq!(
+            timed.iter().map(|one| (one.time_us, one.name.as_str(), one.value.as_str())).collect::<Vec<_>>(),
+            [(100_000, "I 0.0", "1"), (100_000, "MW 4", "5"), (150_000, "I 0.0", "0"),]
+        );
         assert_eq!(scenario.scans(), 5 + 2 + 50);
         let other = scenario.with_timed(Vec::new(), vec![Timed { time_us: 7_000, ..timed[2].clone() }]);
         assert_eq!(

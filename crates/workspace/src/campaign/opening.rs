@@ -72,7 +72,7 @@ pub fn open(spec: Spec, text: &str, files: &dyn Files, overrides: Overrides, eng
         programs.push(subject(&spec, path.text.clone(), watched, recording.as_ref(), engine).map_err(Failed::Spec)?);
     }
     let bits = programs.first().map_or(0, |program| program.bits.len());
-    let numbering = Numbering::new(&spec, bits).map_err(|diagnostic| Failed::Spec(vec![diagnostic]))?;
+    let numbering = Numbering::new(&spec, bits).map_err(|diagnostic| Failed::Spec(vec![*diagnostic]))?;
     let identity = bundle.identity(text, spec.seed);
     let warnings = watching::constants(&spec);
     Ok(Campaign { spec, numbering, identity, programs, warnings, recording })
@@ -118,17 +118,25 @@ fn missing(spec: &Spec, scenario: &Scenario, build: &Build, rules: &Rules) -> Ve
     scenario.names().into_iter().filter_map(missing).take(ERRORS_MAX).collect()
 }
 
-fn subject(spec: &Spec, path: String, watched: Watched, recording: Option<&Scenario>, engine: &Factory<'_>) -> Result<Subject, Vec<Diagnostic>> {
+fn subject(
+    spec: &Spec,
+    path: String,
+    watched: Watched,
+    recording: Option<&Scenario>,
+    engine: &Factory<'_>,
+) -> Result<Subject, Vec<Diagnostic>> {
     let Watched { build, watching } = watched;
     let mut wrong = Vec::new();
     let mut set = Vec::new();
     let mut fixed = Vec::new();
     for one in &spec.set {
         let done = Target::of(&one.name, &build).and_then(|target| {
-            fits(&target, &one.value, &build, Rounding::Never).map_err(|message| unfit(&one.name.text, one.name.span, &message)).map(|()| target)
+            fits(&target, &one.value, &build, Rounding::Never)
+                .map_err(|message| Box::new(unfit(&one.name.text, one.name.span, &message)))
+                .map(|()| target)
         });
         match done {
-            Err(diagnostic) => wrong.push(diagnostic),
+            Err(diagnostic) => wrong.push(*diagnostic),
             Ok(Target::Name(name)) => set.extend(targets::setting(&name, &one.value, Rounding::Never)),
             Ok(Target::Plant(module, parameter)) => {
                 let row = &build.project.settings.modules[module].device.kind.parameters[parameter];
@@ -139,9 +147,11 @@ fn subject(spec: &Spec, path: String, watched: Watched, recording: Option<&Scena
     let mut all = Vec::new();
     for sweep in &spec.sweep {
         match Target::of(&sweep.name, &build) {
-            Err(diagnostic) => wrong.push(diagnostic),
+            Err(diagnostic) => wrong.push(*diagnostic),
             Ok(target) => {
-                let unfit = |value| fits(&target, value, &build, Rounding::Never).err().map(|message| unfit(&sweep.name.text, sweep.name.span, &message));
+                let unfit = |value| {
+                    fits(&target, value, &build, Rounding::Never).err().map(|message| unfit(&sweep.name.text, sweep.name.span, &message))
+                };
                 wrong.extend(sweep.values.iter().find_map(unfit));
                 all.push(target);
             }
@@ -149,7 +159,7 @@ fn subject(spec: &Spec, path: String, watched: Watched, recording: Option<&Scena
     }
     for draw in &spec.draw {
         match Target::of(&draw.name, &build) {
-            Err(diagnostic) => wrong.push(diagnostic),
+            Err(diagnostic) => wrong.push(*diagnostic),
             Ok(target) => {
                 wrong.extend(unfit_draw(draw, &target, &build));
                 all.push(target);
@@ -180,7 +190,9 @@ fn subject(spec: &Spec, path: String, watched: Watched, recording: Option<&Scena
         if plant || !fixed.is_empty() || !spec.faults.is_empty() {
             let place = spec.replay.as_ref().map_or_else(|| spec.span(), |replay| replay.scenario.span);
             let message = "a recording brings the inputs of its plants along: their parameters and faults have nothing to do in it";
-            wrong.push(Diagnostic::new(Problem::P7159, place, message).help("`[disturb]` moves the inputs, lets them bounce, and adds to words"));
+            wrong.push(
+                Diagnostic::new(Problem::P7159, place, message).help("`[disturb]` moves the inputs, lets them bounce, and adds to words"),
+            );
         }
     }
     if !wrong.is_empty() {
@@ -229,14 +241,18 @@ fn unfit_draw(draw: &Draw, target: &Target, build: &Build) -> Option<Diagnostic>
         (Drawn::Choice(values), _) => {
             values.iter().find_map(|value| fits(target, value, build, Rounding::Never).err()).map(|message| unfit(name, span, &message))
         }
-        (Drawn::Walk(_), Target::Plant(..)) => Some(unfit(name, span, "a parameter of a plant is what it is from the beginning; only values of the program walk")),
+        (Drawn::Walk(_), Target::Plant(..)) => {
+            Some(unfit(name, span, "a parameter of a plant is what it is from the beginning; only values of the program walk"))
+        }
         (Drawn::Walk(walk), _) if walk.step.is_none() != is_bit => {
-            let message = if is_bit { "a bit has no `step`" } else { "a number needs a `step` to walk by: `walk = { every = \"2s\", chance = 0.1, step = 5 }`" };
+            let message = if is_bit {
+                "a bit has no `step`"
+            } else {
+                "a number needs a `step` to walk by: `walk = { every = \"2s\", chance = 0.1, step = 5 }`"
+            };
             Some(unfit(name, span, message))
         }
-        (Drawn::Once(_), Target::Name(_)) if is_bit => {
-            Some(unfit(name, span, "a bit is drawn by `choice = [true, false]`, or walks"))
-        }
+        (Drawn::Once(_), Target::Name(_)) if is_bit => Some(unfit(name, span, "a bit is drawn by `choice = [true, false]`, or walks")),
         // Whether a number fits the type: the middle of it does, or none.
         (Drawn::Once(_), Target::Name(_)) => {
             fits(target, &Value::Number(0.0), build, Rounding::Nearest).err().map(|message| unfit(name, span, &message))
@@ -254,7 +270,7 @@ fn unfit_fault(row: &sieben_campaign::spec::FaultRow, build: &Build) -> Option<D
     };
     let Some(module) = modules.iter().find(|module| module.device.name == plant) else {
         let known: Vec<&str> = modules.iter().map(|module| module.device.name.as_str()).collect();
-        let known = if known.is_empty() { "has none".to_owned() } else { format!("has {}", crate::nearest::one_of(known)) };
+        let known = if known.is_empty() { "has none".to_owned() } else { format!("has {}", sieben_model::nearest::one_of(known)) };
         return Some(wrong(format!("there is no plant `{plant}`; the project {known}")));
     };
     let signals = module.device.terminals().ok()?.signals;

@@ -25,7 +25,9 @@ impl Subject {
         let mut set = self.set.clone();
         let mut plants = self.plants(given.seed);
         for (name, index) in self.bits.iter().zip(0..) {
-            set.push(Setting::new(name.clone(), if given.point.combination >> index & 1 != 0 { "1" } else { "0" }).map_err(|e| e.to_string())?);
+            set.push(
+                Setting::new(name.clone(), if given.point.combination >> index & 1 != 0 { "1" } else { "0" }).map_err(|e| e.to_string())?,
+            );
         }
         let sweeps = spec.sweep.len();
         for (index, value) in &given.values {
@@ -222,7 +224,8 @@ impl<'s> Looking<'s> {
         }
         self.hash_outputs(cpu, scan.number);
         if !self.subject.watching.look(cpu, &mut self.values) {
-            let message = "an expression of the campaign cannot be computed here, such as an element beyond the end of its array".to_owned();
+            let message =
+                "an expression of the campaign cannot be computed here, such as an element beyond the end of its array".to_owned();
             self.end = Some((Verdict::Error, None, Some(message)));
             return;
         }

@@ -8,8 +8,8 @@ use sieben_model::problems::Problem;
 use sieben_sim::devices::Parameter;
 use sieben_sim::names::{Name, Setting};
 
-use crate::nearest::{nearest, one_of};
 use crate::project::Build;
+use sieben_model::nearest::{nearest, one_of};
 
 /// Where a value of a campaign goes.
 #[derive(Clone, Debug)]
@@ -25,7 +25,7 @@ impl Target {
     ///
     /// # Errors
     /// Nothing is called that.
-    pub fn of(name: &Placed, build: &Build) -> Result<Self, Diagnostic> {
+    pub fn of(name: &Placed, build: &Build) -> Result<Self, Box<Diagnostic>> {
         let modules = &build.project.settings.modules;
         let error = match Name::parse(&name.text, &build.project.symbols, &build.compiled.program) {
             Err(error) => error.to_string(),
@@ -37,7 +37,7 @@ impl Target {
             let index = modules.iter().position(|module| module.device.name == plant.trim().trim_matches('"'))?;
             Some((index, parameter.trim()))
         });
-        let Some((index, parameter)) = plant else { return Err(Diagnostic::new(Problem::P7161, name.span, error)) };
+        let Some((index, parameter)) = plant else { return Err(Box::new(Diagnostic::new(Problem::P7161, name.span, error))) };
         let kind = modules[index].device.kind;
         let names = || kind.parameters.iter().map(|parameter| parameter.name);
         match names().position(|known| known == parameter) {
@@ -45,10 +45,10 @@ impl Target {
             None => {
                 let message = format!("the plant `{}` ({}) has no parameter `{parameter}`", modules[index].device.name, kind.name);
                 let diagnostic = Diagnostic::new(Problem::P7161, name.span, message);
-                Err(match nearest(parameter, names()) {
+                Err(Box::new(match nearest(parameter, names()) {
                     Some(near) => diagnostic.help(format!("did you mean `{near}`?")),
                     None => diagnostic.help(format!("it has {}", one_of(names()))),
-                })
+                }))
             }
         }
     }
@@ -121,14 +121,16 @@ pub fn bits(exhaustive: &Exhaustive, build: &Build) -> Result<Vec<Name>, Vec<Dia
             Some((first, last)) => range(placed, first, last),
             None => match Target::of(placed, build) {
                 Ok(Target::Name(name)) if name.item().width() == 1 => Ok(vec![name]),
-                Ok(_) => Err(Diagnostic::new(Problem::P7162, placed.span, format!("`{}` is no bit", placed.text))
-                    .help("every combination is one of bits; numbers go through a `[sweep]`")),
+                Ok(_) => {
+                    let told = Diagnostic::new(Problem::P7162, placed.span, format!("`{}` is no bit", placed.text));
+                    Err(Box::new(told.help("every combination is one of bits; numbers go through a `[sweep]`")))
+                }
                 Err(diagnostic) => Err(diagnostic),
             },
         };
         match found {
             Ok(names) => all.extend(names),
-            Err(diagnostic) => wrong.push(diagnostic),
+            Err(diagnostic) => wrong.push(*diagnostic),
         }
     }
     if wrong.is_empty() { Ok(all) } else { Err(wrong) }
@@ -138,14 +140,17 @@ pub fn bits(exhaustive: &Exhaustive, build: &Build) -> Result<Vec<Name>, Vec<Dia
 const RANGE_MAX: u32 = 64;
 
 /// `I 0.0..I 1.3`.
-fn range(placed: &Placed, first: &str, last: &str) -> Result<Vec<Name>, Diagnostic> {
-    let wrong = |message: String| Diagnostic::new(Problem::P7162, placed.span, message).help("write the first and the last bit: `I 0.0..I 1.3`");
+fn range(placed: &Placed, first: &str, last: &str) -> Result<Vec<Name>, Box<Diagnostic>> {
+    let wrong = |message: String| {
+        Box::new(Diagnostic::new(Problem::P7162, placed.span, message).help("write the first and the last bit: `I 0.0..I 1.3`"))
+    };
     let bit = |text: &str| match Operand::parse(text.trim()) {
         Some(Operand::Address(address)) if address.width == Width::Bit => Ok(address),
         _ => Err(wrong(format!("`{}` is no address of a bit", text.trim()))),
     };
     let (first, last) = (bit(first)?, bit(last)?);
-    let (from, to) = (first.byte * 8 + u32::from(first.bit), last.byte.saturating_mul(8).saturating_add(u32::from(last.bit)));
+    let number = |address: Address| address.byte.saturating_mul(8).saturating_add(u32::from(address.bit));
+    let (from, to) = (number(first), number(last));
     if first.area != last.area || to < from || to - from >= RANGE_MAX {
         return Err(wrong(format!("`{}` is no range of up to {RANGE_MAX} bits of one area", placed.text)));
     }

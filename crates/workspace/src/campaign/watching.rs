@@ -160,7 +160,7 @@ impl Source {
         text.push_str("END_VAR\n");
         let mut places = Vec::new();
         for (index, slot) in all.iter().enumerate() {
-            let _ = write!(text, "{} :=\n", variable(index));
+            let _ = writeln!(text, "{} :=", variable(index));
             let start = text.len() as u32;
             text.push_str(&slot.expression.text);
             places.push((start, text.len() as u32));
@@ -187,7 +187,9 @@ impl Source {
         let told = Diagnostic::new(diagnostic.problem, span, diagnostic.message.clone());
         match (&diagnostic.help, slot.wanted) {
             (Some(help), _) => told.help(help.clone()),
-            (None, Wanted::Boolean) => told.help("a property is a Boolean expression in the names of the program: `Level > 95.0 AND NOT Valve`"),
+            (None, Wanted::Boolean) => {
+                told.help("a property is a Boolean expression in the names of the program: `Level > 95.0 AND NOT Valve`")
+            }
             (None, _) => told,
         }
     }
@@ -239,7 +241,8 @@ impl Watching {
         }
         let looked = cpu.look_with(self.block);
         let machine = cpu.machine();
-        let value = |computed: &Computed| computed.name.bits_in(machine, &machine.registers).map_or(0.0, |bits| computed.as_number.number(bits));
+        let value =
+            |computed: &Computed| computed.name.bits_in(machine, &machine.registers).map_or(0.0, |bits| computed.as_number.number(bits));
         values.extend(self.values.iter().map(value));
         looked
     }

@@ -10,8 +10,8 @@ use super::texts::{self, Text, pick};
 use super::{Direction, Language, STATEMENTS_MAX, Session, Unit, Variables, Who};
 use crate::controller;
 use crate::names as command_names;
-use crate::nearest::{nearest, one_of};
 use crate::refusal::Refusal;
+use sieben_model::nearest::{nearest, one_of};
 
 /// Longest line that is read as a command.
 pub const LINE_MAX: usize = 4096;

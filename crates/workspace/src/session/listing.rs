@@ -10,9 +10,9 @@ use sieben_model::source::{FileId, Span};
 
 use super::texts::{self, END_OF_BLOCK, fill};
 use crate::controller;
-use crate::nearest::nearest;
 use crate::places::{Index, Places};
 use crate::project::Build;
+use sieben_model::nearest::nearest;
 
 /// A statement as people find it.
 #[derive(Clone, Debug, PartialEq, Eq)]

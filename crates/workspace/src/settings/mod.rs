@@ -23,9 +23,9 @@ use sieben_sim::duration::CYCLE_MAX;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use crate::nearest::{nearest, one_of};
 use modules::Module;
 use servers::Servers;
+use sieben_model::nearest::{nearest, one_of};
 
 /// Name of the file that makes a folder a project.
 pub const FILE_NAME: &str = "sieben.toml";

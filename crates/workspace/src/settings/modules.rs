@@ -14,7 +14,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::{Reader, Value};
-use crate::nearest::{nearest, one_of};
+use sieben_model::nearest::{nearest, one_of};
 
 /// Keys that every module has, beside the parameters of its kind.
 const KEYS: [&str; 6] = ["kind", "name", "input", "output", "seed", "fault"];

@@ -29,7 +29,8 @@ pub fn rack(build: &Build, scenario: &Scenario) -> Rack {
         }
         let modules = &build.project.settings.modules;
         // Plants that the project does not have were told before.
-        return modules::with_plants(modules, scenario.plants()).map_or_else(|_| controller::rack(build), |all| modules::rack(&all, build.cpu));
+        return modules::with_plants(modules, scenario.plants())
+            .map_or_else(|_| controller::rack(build), |all| modules::rack(&all, build.cpu));
     };
     let bytes = bytes.start.min(build.cpu.peripheral)..bytes.end.min(build.cpu.peripheral);
     let module: Box<dyn IoModule> = Box::new(SimulatedModule::new("simulated", bytes));
