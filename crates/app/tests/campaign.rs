@@ -42,8 +42,10 @@ fn every_combination_is_tried_and_the_first_that_breaks_is_told() {
     assert!(run.stdout.contains("inputs that are 1: I 0.0, I 0.1, I 0.2"), "{}", run.stdout);
     // The scenario that it names breaks by itself.
     let shown = unsound.run(&["campaign", "show", "c.toml", "7"]).code(0).stdout;
-    let expected = format!("{shown}expect Q 0.0=1 Q 0.1=1\n");
-    unsound.write("seven.scenario", expected.as_bytes());
+    unsound.write("seven.scenario", shown.as_bytes());
+    let test = unsound.run(&["test", "main.awl", "--tests", "seven.scenario"]).code(1);
+    assert!(test.stdout.contains("\"short circuit\": `Q0.0 AND Q0.1` must never be true, and is after scan 0 at 0 ms"), "{}", test.stdout);
+    unsound.write("main.awl", motor(" AN I 0.1;\n").as_bytes());
     unsound.run(&["test", "main.awl", "--tests", "seven.scenario"]).code(0);
 }
 
@@ -110,6 +112,40 @@ fn every_kind_of_property_is_held_against_a_run() {
     let response = |within: &str| format!("[[response]]\nname = \"r\"\nwhen = \"Q4.0\"\nthen = \"NOT Q4.0\"\nwithin = \"{within}\"\n");
     assert_eq!(verdict(&response("40ms")), passes);
     assert_eq!(verdict(&response("20ms")), (1, "r".into(), 6.into()));
+}
+
+#[test]
+fn a_scenario_has_properties_of_its_own() {
+    let program = "ORGANIZATION_BLOCK OB 1\nBEGIN\n L MW 10;\n INC 1;\n T MW 10;\n L 5;\n ==I;\n = Q 4.0;\nEND_ORGANIZATION_BLOCK\n";
+    let folder = Folder::with(&[("main.awl", program)]);
+    let run = |property: &str| {
+        folder.write("p.scenario", format!("property {property}\nscan 10\n").as_bytes());
+        let run = folder.run(&["test", "main.awl", "--tests", "p.scenario"]);
+        (run.code.unwrap_or(-1), run.stdout)
+    };
+    for (property, code, part) in [
+        ("never \"a\" Q4.1", 0, "ok"),
+        ("never \"a\" Q4.0", 1, "p.scenario:1: \"a\": `Q4.0` must never be true, and is after scan 4 at 40 ms"),
+        ("always \"a\" NOT Q4.0", 1, "must always be true, and is not after scan 4"),
+        ("finally \"a\" Q4.0", 1, "must be true at the end, and is not after scan 9 at 90 ms"),
+        ("response \"a\" within 10ms Q4.0 -> NOT Q4.0", 0, "ok"),
+        ("response \"a\" Q4.0 -> NOT Q4.0", 1, "must be answered in time, and was not after scan 4"),
+        ("never \"a\" Lamp", 2, "p.scenario:1: `Lamp` is not declared"),
+        ("never \"a\"", 2, "is not understood; write `property never"),
+        ("sometimes \"a\" Q4.0", 2, "is not understood"),
+        ("response \"a\" Q4.0", 2, "is not understood"),
+    ] {
+        let (found, stdout) = run(property);
+        assert!(found == code && stdout.contains(part), "{property}: {found}\n{stdout}");
+    }
+    folder.write("t.scenario", b"property never \"a\" Q4.0\ntable I 0.0 -> Q 4.0\n0 0\n");
+    folder.run(&["test", "main.awl", "--tests", "t.scenario"]).code(2).stdout("runs of their own");
+    // Both engines see the same.
+    run("never \"a\" Q4.0");
+    for engine in ["interpreter", "jit"] {
+        let test = folder.run(&["test", "main.awl", "--tests", "p.scenario", "--engine", engine]).code(1);
+        assert!(test.stdout.contains("after scan 4"), "{}", test.stdout);
+    }
 }
 
 #[test]

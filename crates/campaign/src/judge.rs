@@ -1,15 +1,8 @@
 //! Holds properties and measures against the scans of one scenario.
 
-use crate::spec::{Measure, Of, Property, PropertyKind, Spec};
+use sieben_sim::trace::Moment;
 
-/// A moment of a scenario.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Scan {
-    /// The number of the scan, from 0.
-    pub number: u64,
-    /// When it began, in microseconds of virtual time.
-    pub at_us: u64,
-}
+use crate::spec::{Measure, Of, Property, PropertyKind, Spec};
 
 /// A property that does not hold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,7 +10,7 @@ pub struct Broken {
     /// Which of the file.
     pub property: usize,
     /// After which scan.
-    pub scan: Scan,
+    pub at: Moment,
 }
 
 /// What a scenario has come to so far.
@@ -26,7 +19,7 @@ pub struct Judge<'s> {
     measures: Vec<(&'s Measure, usize, Gauge)>,
     came: Vec<bool>,
     cycle_s: f64,
-    last: Option<Scan>,
+    last: Option<Moment>,
 }
 
 /// Until when a response has time.
@@ -55,7 +48,7 @@ impl<'s> Judge<'s> {
     }
 
     /// After a scan, with the values of all slots: the first property of the file that does not hold.
-    pub fn scanned(&mut self, scan: Scan, values: &[f64]) -> Option<Broken> {
+    pub fn scanned(&mut self, scan: Moment, values: &[f64]) -> Option<Broken> {
         self.last = Some(scan);
         for (measure, slot, gauge) in &mut self.measures {
             gauge.take(measure.of, values[*slot], scan, self.cycle_s);
@@ -71,9 +64,9 @@ impl<'s> Judge<'s> {
                     if answered {
                         *waiting = None;
                     } else if holds && waiting.is_none() {
-                        *waiting = Some(scan.at_us.saturating_add(property.within_us));
+                        *waiting = Some(scan.time_us.saturating_add(property.within_us));
                     }
-                    waiting.is_some_and(|until| scan.at_us >= until)
+                    waiting.is_some_and(|until| scan.time_us >= until)
                 }
                 PropertyKind::Sometimes => {
                     self.came[index] |= holds;
@@ -82,7 +75,7 @@ impl<'s> Judge<'s> {
                 PropertyKind::Finally | PropertyKind::Same => false,
             };
             if wrong && broken.is_none() {
-                broken = Some(Broken { property: index, scan });
+                broken = Some(Broken { property: index, at: scan });
             }
         }
         broken
@@ -92,7 +85,7 @@ impl<'s> Judge<'s> {
     pub fn ended(&self, values: &[f64]) -> Option<Broken> {
         let scan = self.last?;
         let wrong = |(property, slot, _): &(&Property, usize, Waiting)| property.kind == PropertyKind::Finally && values[*slot] == 0.0;
-        self.properties.iter().position(wrong).map(|property| Broken { property, scan })
+        self.properties.iter().position(wrong).map(|property| Broken { property, at: scan })
     }
 
     /// Of each property whether it was true at least once, where that is asked.
@@ -107,7 +100,7 @@ impl<'s> Judge<'s> {
 }
 
 impl Gauge {
-    fn take(&mut self, of: Of, value: f64, scan: Scan, cycle_s: f64) {
+    fn take(&mut self, of: Of, value: f64, scan: Moment, cycle_s: f64) {
         self.scans += f64::from(u8::from(!value.is_nan()));
         let holds = value != 0.0;
         let sum = self.value.unwrap_or(0.0);
@@ -121,7 +114,7 @@ impl Gauge {
             Of::Integral => Some(sum + value * cycle_s),
             Of::Count => Some(sum + f64::from(u8::from(holds))),
             Of::Rises => Some(sum + f64::from(u8::from(holds && !self.before))),
-            Of::FirstTime => self.value.or(holds.then_some(scan.at_us as f64 / 1e6)),
+            Of::FirstTime => self.value.or(holds.then_some(scan.time_us as f64 / 1e6)),
         };
         self.before = holds;
     }
@@ -156,11 +149,11 @@ mod tests {
         let mut last = Vec::new();
         for (number, &(first, then)) in (0..).zip(scans) {
             last = vec![f64::from(first), f64::from(then)];
-            if let Some(broken) = judge.scanned(Scan { number, at_us: number * 10_000 }, &last) {
-                return Some(broken.scan.number);
+            if let Some(broken) = judge.scanned(Moment { scan: number, time_us: number * 10_000 }, &last) {
+                return Some(broken.at.scan);
             }
         }
-        judge.ended(&last).map(|broken| broken.scan.number)
+        judge.ended(&last).map(|broken| broken.at.scan)
     }
 
     #[test]
@@ -188,13 +181,13 @@ mod tests {
         let values = [1.0, 0.0, 3.0, f64::NAN, 2.0];
         let all: Vec<Option<f64>> = Of::ALL
             .iter()
-            .map(|&of| {
+            .map(|&(of, _)| {
                 let measure = Measure { name: String::new(), span: Span::new(FileId(0), 0, 0), of, expression: expression(), unit: None };
                 let spec = Spec { measures: vec![measure], ..Spec::default() };
                 let mut judge = Judge::new(&spec, 500_000);
                 for (number, value) in (0..).zip(values) {
                     let value = if of.counts() && value.is_nan() { 0.0 } else { value };
-                    judge.scanned(Scan { number, at_us: number * 500_000 }, &[value]);
+                    judge.scanned(Moment { scan: number, time_us: number * 500_000 }, &[value]);
                 }
                 judge.measured()[0]
             })

@@ -1,6 +1,7 @@
 //! What came of one scenario.
 
-use crate::judge::Scan;
+use sieben_sim::trace::Moment;
+
 use crate::spec::Value;
 
 /// How a scenario ended.
@@ -46,7 +47,7 @@ pub struct Row {
     /// The property that broke, by its place in the file.
     pub property: Option<usize>,
     /// Where it ended before its time.
-    pub at: Option<Scan>,
+    pub at: Option<Moment>,
     /// Scans that were run.
     pub scans: u64,
     /// Virtual time of the last one, in microseconds.

@@ -1,6 +1,7 @@
 //! What a campaign is asked for, as data: the keys of its file, read and judged for themselves; names of the program are not looked up yet.
 
 use sieben_model::source::{FileId, Span};
+pub use sieben_sim::scenario::property::PropertyKind;
 use sieben_sim::wrap::FaultKind;
 
 /// A string with its place in the file.
@@ -215,23 +216,6 @@ pub struct Property {
     pub within_us: u64,
 }
 
-/// Kinds of properties.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PropertyKind {
-    /// It is false after each scan.
-    Never,
-    /// It is true after each scan.
-    Always,
-    /// It is true after at least one scan of the whole campaign.
-    Sometimes,
-    /// Whenever it is true, `then` is true at once or `within` a time.
-    Response,
-    /// It is true after the last scan.
-    Finally,
-    /// It has the same value after each scan of all programs.
-    Same,
-}
-
 /// What is measured in each scenario.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Measure {
@@ -268,31 +252,29 @@ pub enum Of {
     FirstTime,
 }
 
-macro_rules! words {
-    ($Name:ident: $( $Variant:ident $word:literal, )*) => {
-        impl $Name {
-            /// All of them.
-            pub const ALL: &[Self] = &[$(Self::$Variant),*];
-            /// The word of the file.
-            pub fn word(self) -> &'static str {
-                match self { $(Self::$Variant => $word),* }
-            }
-            /// What a word means.
-            pub fn from_word(word: &str) -> Option<Self> {
-                Self::ALL.iter().copied().find(|one| one.word() == word)
-            }
-        }
-    };
-}
-
-words! { PropertyKind:
-    Never "never", Always "always", Sometimes "sometimes", Response "response", Finally "finally", Same "same",
-}
-words! { Of:
-    Min "min", Max "max", Last "last", Mean "mean", Integral "integral", Count "count", Rises "rises", FirstTime "first_time",
-}
-
 impl Of {
+    /// All of them with their words.
+    pub const ALL: &[(Self, &'static str)] = &[
+        (Self::Min, "min"),
+        (Self::Max, "max"),
+        (Self::Last, "last"),
+        (Self::Mean, "mean"),
+        (Self::Integral, "integral"),
+        (Self::Count, "count"),
+        (Self::Rises, "rises"),
+        (Self::FirstTime, "first_time"),
+    ];
+
+    /// The word of files.
+    pub fn word(self) -> &'static str {
+        Self::ALL.iter().find(|(of, _)| *of == self).map_or("", |(_, word)| word)
+    }
+
+    /// What a word means.
+    pub fn from_word(word: &str) -> Option<Self> {
+        Self::ALL.iter().find(|(_, known)| *known == word).map(|&(of, _)| of)
+    }
+
     /// Whether its expression is Boolean.
     pub fn counts(self) -> bool {
         matches!(self, Self::Count | Self::Rises | Self::FirstTime)

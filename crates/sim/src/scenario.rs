@@ -33,6 +33,7 @@
 //! expect stop 16#2522                  the first cause, or the event of the STOP
 //! expect mode RUN
 //! table I 0.0 I 0.1 -> Q 0.0           rows of values follow: each a fresh CPU, `set`, one scan, `expect`
+//! property never "short circuit" K1 AND K2   from the first scan on; `always`, `finally`, `response "it starts" within 2s Start -> Running`
 //! known-gap "why"                      the scenario is expected to fail
 //! recorded 0123456789ABCDEF "main.awl" what [`recorder`] has written: of which program, and with how many scans it ends;
 //! end 1000                             without this line it was cut off, and ends with its last whole scan
@@ -44,6 +45,7 @@ pub mod changing;
 mod held;
 pub mod made;
 mod parse;
+pub mod property;
 pub mod recorder;
 pub mod rules;
 mod run;
@@ -62,6 +64,7 @@ use sieben_model::symbols::SymbolTable;
 
 pub use held::{Difference, Holding};
 use parse::{assignments, byte_range, cyclic, date_and_time, duration, expect, interrupt, name_list, plant, retain, scan, without_comment};
+use property::PropertyLine;
 pub use rules::Rules;
 use run::Run;
 
@@ -172,6 +175,7 @@ pub struct Scenario {
     start_with: Assignments,
     clock: Option<DateAndTime>,
     plants: Vec<PlantLine>,
+    properties: Vec<PropertyLine>,
     lines: Vec<Line>,
 }
 
@@ -260,7 +264,7 @@ const CYCLE_US: u64 = 10_000;
 const SCANS_MAX: u64 = 1_000_000;
 
 /// The words a line can begin with.
-const WORDS: &str = "`cpu`, `cycle`, `min-cycle`, `cyclic`, `image-errors`, `modules`, `module`, `plant`, `fault`, `mend`, `retain`, `set`, `force`, `unforce`, `scan`, `at`, `start`, `clock`, `interrupt`, `restart`, `power`, `expect`, `always`, `table` or `known-gap`";
+const WORDS: &str = "`cpu`, `cycle`, `min-cycle`, `cyclic`, `image-errors`, `modules`, `module`, `plant`, `property`, `fault`, `mend`, `retain`, `set`, `force`, `unforce`, `scan`, `at`, `start`, `clock`, `interrupt`, `restart`, `power`, `expect`, `always`, `table` or `known-gap`";
 
 impl Scenario {
     /// Reads a scenario, with or without a byte order mark.
@@ -292,18 +296,23 @@ impl Scenario {
                 });
             }
         }
+        if let Some(property) = scenario.properties.first().filter(|_| scenario.has_tables()) {
+            let message = "a property is held against one run; the rows of a table are runs of their own".to_owned();
+            errors.push(ScenarioError { line: property.line, message });
+        }
         if errors.is_empty() { Ok(scenario) } else { Err(errors) }
     }
 
     /// Whether it expects anything at all.
     pub fn expects(&self) -> bool {
-        self.lines.iter().any(|line| {
-            let command = &line.command;
-            matches!(
-                command,
-                Command::Expect(..) | Command::Always(_) | Command::ExpectStop(_) | Command::ExpectMode(_) | Command::Table { .. }
-            )
-        })
+        !self.properties.is_empty()
+            || self.lines.iter().any(|line| {
+                let command = &line.command;
+                matches!(
+                    command,
+                    Command::Expect(..) | Command::Always(_) | Command::ExpectStop(_) | Command::ExpectMode(_) | Command::Table { .. }
+                )
+            })
     }
 
     /// A run without expectations: so many scans at a cycle, or at these times; what is set before the first, and what at a time.
@@ -333,6 +342,11 @@ impl Scenario {
     #[must_use]
     pub fn with_settings(self, min_cycle: Duration, image_errors: ImageErrors) -> Self {
         Self { min_cycle_us: u64::try_from(min_cycle.as_micros()).unwrap_or(u64::MAX), image_errors, ..self }
+    }
+
+    /// What has to hold of its run; whoever runs it compiles the expressions.
+    pub fn properties(&self) -> &[PropertyLine] {
+        &self.properties
     }
 
     /// Parameters of simulated plants that it has instead of those of the project.
@@ -426,6 +440,10 @@ impl Scenario {
             }
             "plant" => {
                 self.plants.push(plant(rest)?);
+                return Ok(());
+            }
+            "property" => {
+                self.properties.push(PropertyLine::parse(number, rest)?);
                 return Ok(());
             }
             "cyclic" => {

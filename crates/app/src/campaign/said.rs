@@ -105,7 +105,7 @@ impl Run<'_> {
             let _ = write!(text, ", `{}`", property.name);
         }
         if let Some(at) = row.at {
-            let _ = write!(text, ", after scan {} at {}", at.number, duration::show(Duration::from_micros(at.at_us)));
+            let _ = write!(text, ", after scan {} at {}", at.scan, duration::show(Duration::from_micros(at.time_us)));
         }
         text.push('\n');
         if let Some(message) = &row.message {
@@ -141,8 +141,8 @@ impl Run<'_> {
                 "scenario": row.scenario,
                 "property": row.property.and_then(|index| spec.properties.get(index)).map(|property| &property.name),
                 "verdict": row.verdict.word(),
-                "scan": row.at.map(|at| at.number),
-                "at_us": row.at.map(|at| at.at_us),
+                "scan": row.at.map(|at| at.scan),
+                "at_us": row.at.map(|at| at.time_us),
                 "message": row.message,
                 "file": null,
             })

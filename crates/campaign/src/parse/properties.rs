@@ -56,7 +56,7 @@ impl Reader<'_> {
                         _ => None,
                     };
                     if of.is_none() {
-                        self.wrong(value, format!("`of` is {}", one_of(Of::ALL.iter().map(|of| of.word()))));
+                        self.wrong(value, format!("`of` is {}", one_of(Of::ALL.iter().map(|(_, word)| *word))));
                     }
                 }
                 _ => {}

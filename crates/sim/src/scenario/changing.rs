@@ -1,5 +1,6 @@
 //! A recording with other inputs than it was recorded with.
 
+use super::property::PropertyLine;
 use super::{Assignment, Assignments, Command, Line, Scenario};
 use crate::names::Setting;
 
@@ -37,10 +38,10 @@ impl Scenario {
         self.lines.iter().map(of).fold(0, u64::saturating_add)
     }
 
-    /// The same scenario with these values at their times in the place of those of its `at` lines, and with what is set before the first
-    /// scan. All of them stand at its beginning, so that any of them can come at any time.
+    /// The same scenario with these values at their times in the place of those of its `at` lines, and with what is set before the
+    /// first scan, and these properties. All of them stand at its beginning, so that any of them can come at any time.
     #[must_use]
-    pub fn with_timed(&self, set: Vec<Setting>, timed: Vec<Timed>) -> Self {
+    pub fn with_timed(&self, set: Vec<Setting>, timed: Vec<Timed>, properties: Vec<PropertyLine>) -> Self {
         let mut commands = Vec::new();
         if !set.is_empty() {
             commands.push(Command::Set(set.into_iter().map(Into::into).collect::<Assignments>()));
@@ -51,7 +52,7 @@ impl Scenario {
         lines.extend(self.lines.iter().filter(|line| !matches!(line.command, Command::At(..))).cloned());
         // As its text has it, so that what is said names the line.
         lines.iter_mut().zip(1..).for_each(|(line, number)| line.number = number);
-        Self { lines, ..self.clone() }
+        Self { lines, properties, ..self.clone() }
     }
 }
 
@@ -70,7 +71,7 @@ mod tests {
             [(100_000, "I 0.0", "1"), (100_000, "MW 4", "5"), (150_000, "I 0.0", "0"),]
         );
         assert_eq!(scenario.scans(), 5 + 2 + 50);
-        let other = scenario.with_timed(Vec::new(), vec![Timed { time_us: 7_000, ..timed[2].clone() }]);
+        let other = scenario.with_timed(Vec::new(), vec![Timed { time_us: 7_000, ..timed[2].clone() }], Vec::new());
         assert_eq!(
             other.to_string(),
             "cycle 20ms\nstart with I 0.1=1\nat 7ms I 0.0=0\nalways Q 0.0=0\nscan 5\nscan 2\nscan until 1000ms\n"

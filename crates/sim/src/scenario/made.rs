@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use super::property::PropertyLine;
 use super::{Assignments, Command, Line, PlantLine, Scenario};
 use crate::names::Setting;
 use crate::wrap::Fault;
@@ -15,6 +16,8 @@ pub struct Parts {
     pub scans: u64,
     /// Parameters of plants.
     pub plants: Vec<PlantLine>,
+    /// What has to hold.
+    pub properties: Vec<PropertyLine>,
     /// Set before the first scan.
     pub set: Vec<Setting>,
     /// Set at their times, in microseconds.
@@ -26,7 +29,7 @@ pub struct Parts {
 impl Scenario {
     /// A scenario of these parts.
     pub fn made(parts: Parts) -> Self {
-        let Parts { cycle_us, scans, plants, set, at, faults } = parts;
+        let Parts { cycle_us, scans, plants, properties, set, at, faults } = parts;
         let mut commands: Vec<Command> = faults.into_iter().map(Command::Fault).collect();
         if !set.is_empty() {
             commands.push(Command::Set(set.into_iter().map(Into::into).collect()));
@@ -38,6 +41,6 @@ impl Scenario {
         commands.extend(times.into_iter().map(|(time, values)| Command::At(time, values)));
         commands.push(Command::Scan(scans));
         let lines = commands.into_iter().zip(1..).map(|(command, number)| Line { number, command }).collect();
-        Self { cycle_us: cycle_us.max(1), plants, lines, ..Self::default() }
+        Self { cycle_us: cycle_us.max(1), plants, properties, lines, ..Self::default() }
     }
 }

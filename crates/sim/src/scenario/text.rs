@@ -58,6 +58,7 @@ impl Scenario {
             plant.seed.map_or(Ok(()), |seed| write!(f, " seed={seed}"))?;
             writeln!(f)?;
         }
+        self.properties.iter().try_for_each(|property| writeln!(f, "{property}"))?;
         if let Some(start) = self.start {
             writeln!(f, "start {}", start.word())?;
         }
@@ -115,6 +116,7 @@ mod tests {
     fn numbered(mut scenario: Scenario) -> Scenario {
         let at_end = scenario.recorded.as_mut().and_then(|recorded| recorded.end.as_mut());
         at_end.into_iter().for_each(|end| end.0 = 0);
+        scenario.properties.iter_mut().for_each(|property| property.line = 0);
         for (index, Line { number, command }) in scenario.lines.iter_mut().enumerate() {
             *number = index;
             if let Command::Table { rows, .. } = command {
@@ -131,7 +133,8 @@ mod tests {
              at 1500001us I 0.0=0 \"my name\"=3\ninterrupt OB 40 at safe point 17\nrestart cold\nexpect Q 0.0=1 T 1=70 STW.RLO=1\n\
              expect Q 4.0=1 within 20ms\nexpect stop 16#2522\nexpect mode run\ntable I 0.0 \"my name\" MW10 -> Q 0.0 STW\n0 1 2 0 000000000\n\
              known-gap \"later\"",
-            "plant oven gain=181.25 noise=0 seed=18446744073709551615\nplant tank level=1e-3\nmodules none\nmin-cycle 50ms\nimage-errors coming\n\
+            "property never \"short circuit\" \"K 1\" AND K2\nproperty response \"it starts\" within 2s Start -> Running\n\
+             property finally \"it's warm\" (T > 90.0)\nplant oven gain=181.25 noise=0 seed=18446744073709551615\nplant tank level=1e-3\nmodules none\nmin-cycle 50ms\nimage-errors coming\n\
              cyclic OB 35 50ms phase 10ms\nretain m=0..31,40 t=1 c=\nstart cold\nstart with I 0.1=1 PIW256=100\nclock DT#2026-11-22-09:30:00\n\
              force I 0.0=1 Q 4.0=0\nunforce I 0.0\nunforce\nfault tank.level stuck=50@10s..20s\nmend tank.level\nmodule 4 fails\npower failure\n\
              interrupt OB 40\nat 310ms interrupt OB 82 EVENT=16#3942 ID=16#0000 INFO1=16#0004 INFO2=16#00000000\nalways Q 0.0=1 MW 4=7\nscan",

@@ -3,7 +3,7 @@
 mod opening;
 mod running;
 pub mod targets;
-mod watching;
+pub(crate) mod watching;
 
 use std::sync::Arc;
 

@@ -8,7 +8,6 @@ use sieben_campaign::identity::Bundle;
 use sieben_campaign::numbering::Numbering;
 use sieben_campaign::spec::{Draw, Drawn, Replay, Spec, Value};
 use sieben_cpu::Loaded;
-use sieben_model::cpu_type::CpuType;
 use sieben_model::diagnostic::Diagnostic;
 use sieben_model::problems::Problem;
 use sieben_sim::names::Name;
@@ -22,10 +21,6 @@ use crate::project::{Build, Overrides, Project};
 use crate::refusal::Refusal;
 use crate::{controller, duration, schedule};
 
-/// Bytes of local data that the expressions have beside those of the CPU type, and levels of nesting: what a campaign looks at must not
-/// fail a program that fits.
-const LOCAL_DATA: u32 = 32 * 1024;
-const NESTING: u8 = 2;
 /// Most lines of a recording that are told of.
 const ERRORS_MAX: usize = 10;
 
@@ -67,7 +62,7 @@ pub fn open(spec: Spec, text: &str, files: &dyn Files, overrides: Overrides, eng
         take_in(&mut bundle, &path.text, &project);
         let watched = watching::compile(&project, &spec, overrides).map_err(|failed| match failed {
             NotCompiled::Program(build) => Failed::Program(build),
-            NotCompiled::Expressions(diagnostics) => Failed::Spec(diagnostics),
+            NotCompiled::Expressions(wrong) => Failed::Spec(wrong.into_iter().map(|(_, diagnostic)| diagnostic).collect()),
         })?;
         programs.push(subject(&spec, path.text.clone(), watched, recording.as_ref(), engine).map_err(Failed::Spec)?);
     }
@@ -125,7 +120,7 @@ fn subject(
     recording: Option<&Scenario>,
     engine: &Factory<'_>,
 ) -> Result<Subject, Vec<Diagnostic>> {
-    let Watched { build, watching } = watched;
+    let Watched { build, watching, cpu } = watched;
     let mut wrong = Vec::new();
     let mut set = Vec::new();
     let mut fixed = Vec::new();
@@ -198,12 +193,6 @@ fn subject(
     if !wrong.is_empty() {
         return Err(wrong);
     }
-    // A CPU type lives as long as the process; a campaign has few programs.
-    let cpu: &'static CpuType = Box::leak(Box::new(CpuType {
-        local_data: build.cpu.local_data.saturating_add(LOCAL_DATA),
-        nesting_depth: build.cpu.nesting_depth.saturating_add(NESTING),
-        ..*build.cpu
-    }));
     let loaded = Loaded::new(cpu, Arc::new(build.compiled.program.clone()), |program, layout| engine(program, layout));
     let cycle_us = match recording {
         Some(scenario) => scenario.cycle_us(),

@@ -3,7 +3,7 @@
 use sieben_campaign::disturbed::{Width, disturbed};
 use sieben_campaign::draws::Stream;
 use sieben_campaign::given::Given;
-use sieben_campaign::judge::{Broken, Judge, Scan};
+use sieben_campaign::judge::{Broken, Judge};
 use sieben_campaign::row::{Row, Verdict};
 use sieben_campaign::spec::{PropertyKind, Spec, Value};
 use sieben_cpu::{Cpu, OperatingMode, Rack};
@@ -11,7 +11,9 @@ use sieben_model::address::Area;
 use sieben_sim::names::{Name, Setting};
 use sieben_sim::scenario::changing::Timed;
 use sieben_sim::scenario::made::Parts;
+use sieben_sim::scenario::property::PropertyLine;
 use sieben_sim::scenario::{Happened, Onlooker, PlantLine, Scenario};
+use sieben_sim::trace::Moment;
 
 use super::targets::{self, Rounding, Target};
 use super::{Campaign, Subject};
@@ -56,7 +58,15 @@ impl Subject {
         if let Some(recording) = &campaign.recording {
             return Ok(self.replayed(recording, spec, given, set, at));
         }
-        Ok(Scenario::made(Parts { cycle_us: self.cycle_us, scans: self.scans, plants, set, at, faults: given.faults.clone() }))
+        Ok(Scenario::made(Parts {
+            cycle_us: self.cycle_us,
+            scans: self.scans,
+            plants,
+            properties: properties(spec),
+            set,
+            at,
+            faults: given.faults.clone(),
+        }))
     }
 
     /// A recording with its inputs disturbed, and what else is given.
@@ -75,7 +85,7 @@ impl Subject {
         };
         timed.extend(at.into_iter().map(|(time_us, setting)| Timed { time_us, name: setting.name.text().to_owned(), value: setting.text }));
         timed.sort_by_key(|one| one.time_us);
-        recording.with_timed(set, timed)
+        recording.with_timed(set, timed, properties(spec))
     }
 
     /// The plants, each with the seed that it has in the scenario.
@@ -100,6 +110,21 @@ impl Subject {
     fn fresh(&self, rack: Rack) -> Cpu {
         Cpu::new(self.loaded.clone(), rack, self.settings.clone())
     }
+}
+
+/// What has to hold of one run, as lines of its scenario.
+fn properties(spec: &Spec) -> Vec<PropertyLine> {
+    let of_one_run = spec.properties.iter().filter(|property| !matches!(property.kind, PropertyKind::Sometimes | PropertyKind::Same));
+    of_one_run
+        .map(|property| PropertyLine {
+            line: 0,
+            kind: property.kind,
+            name: property.name.clone(),
+            expression: property.expression.text.clone(),
+            then: property.then.as_ref().map(|then| then.text.clone()),
+            within_us: property.within_us,
+        })
+        .collect()
 }
 
 /// Runs a scenario on all programs of a campaign.
@@ -139,12 +164,12 @@ pub(super) fn run(campaign: &Campaign, given: &Given) -> Row {
         if index == 0 {
             row.measures = looking.judge.measured();
             row.came = looking.judge.came().to_vec();
-            (row.scans, row.virtual_us, row.trace_hash) = (looking.scans, looking.last.map_or(0, |scan| scan.at_us), looking.hash);
+            (row.scans, row.virtual_us, row.trace_hash) = (looking.scans, looking.last.map_or(0, |scan| scan.time_us), looking.hash);
         }
         if let Some((verdict, broken, message)) = looking.end {
             row.verdict = verdict;
             row.property = broken.map(|broken| broken.property);
-            row.at = broken.map(|broken| broken.scan).or(looking.differs).or(looking.last);
+            row.at = broken.map(|broken| broken.at).or(looking.differs).or(looking.last);
             row.message = match campaign.programs.len() {
                 1 => message,
                 _ => Some(format!("in `{}`{}", subject.path, message.map_or(String::new(), |message| format!(": {message}")))),
@@ -177,10 +202,10 @@ struct Looking<'s> {
     outputs: Vec<u8>,
     hash: u64,
     scans: u64,
-    last: Option<Scan>,
+    last: Option<Moment>,
     end: Option<End>,
     /// Where it differs from the recording.
-    differs: Option<Scan>,
+    differs: Option<Moment>,
     /// What the program before this one came to, scan by scan, and what this one does.
     before: Option<Vec<f64>>,
     kept: Option<Vec<f64>>,
@@ -214,7 +239,7 @@ impl<'s> Looking<'s> {
     }
 
     fn scanned(&mut self, cpu: &mut Cpu, at_us: u64) {
-        let scan = Scan { number: self.scans, at_us };
+        let scan = Moment { scan: self.scans, time_us: at_us };
         self.scans += 1;
         self.last = Some(scan);
         if cpu.mode() == OperatingMode::Stop {
@@ -222,7 +247,7 @@ impl<'s> Looking<'s> {
             self.end = Some((Verdict::Stop, None, message));
             return;
         }
-        self.hash_outputs(cpu, scan.number);
+        self.hash_outputs(cpu, scan.scan);
         if !self.subject.watching.look(cpu, &mut self.values) {
             let message =
                 "an expression of the campaign cannot be computed here, such as an element beyond the end of its array".to_owned();
@@ -235,8 +260,8 @@ impl<'s> Looking<'s> {
     }
 
     /// What has to be the same as in the program before, and is not.
-    fn compared(&mut self, scan: Scan) -> Option<Broken> {
-        let begin = self.same.len() * scan.number as usize;
+    fn compared(&mut self, scan: Moment) -> Option<Broken> {
+        let begin = self.same.len() * scan.scan as usize;
         let differs = self.same.iter().enumerate().find(|&(place, &(_, slot))| {
             let before = self.before.as_ref().and_then(|before| before.get(begin + place));
             // What is no number is the same as itself.
@@ -245,7 +270,7 @@ impl<'s> Looking<'s> {
         if let Some(kept) = &mut self.kept {
             kept.extend(self.same.iter().map(|&(_, slot)| self.values[slot]));
         }
-        differs.map(|(_, &(property, _))| Broken { property, scan })
+        differs.map(|(_, &(property, _))| Broken { property, at: scan })
     }
 
     /// Takes the outputs that changed into the hash, each with its scan.
@@ -277,10 +302,7 @@ impl Onlooker for Looking<'_> {
     fn see(&mut self, happened: Happened<'_>) {
         match happened {
             Happened::Scan { cpu, time_us, .. } if self.end.is_none() => self.scanned(cpu, time_us),
-            Happened::Differs(difference) => {
-                let moment = difference.moment;
-                self.differs = Some(Scan { number: moment.scan, at_us: moment.time_us });
-            }
+            Happened::Differs(difference) => self.differs = Some(difference.moment),
             Happened::Failed(error) if self.end.is_none() => {
                 let verdict = if self.differs.is_some() { Verdict::Fail } else { Verdict::Error };
                 self.end = Some((verdict, None, Some(error.message.clone())));

@@ -9,6 +9,7 @@ use sieben_cpu::Cpu;
 use sieben_lang::st::dialect::Dialect;
 use sieben_model::address::Operand;
 use sieben_model::block::BlockId;
+use sieben_model::cpu_type::CpuType;
 use sieben_model::diagnostic::{Diagnostic, Severity};
 use sieben_model::problems::Problem;
 use sieben_model::source::{FileId, Span};
@@ -23,7 +24,7 @@ const SOURCE: &str = "campaign.test.st";
 
 /// Where the expressions of a campaign lie in a program.
 #[derive(Clone, Debug)]
-pub(super) struct Watching {
+pub(crate) struct Watching {
     block: BlockId,
     values: Vec<Computed>,
 }
@@ -44,20 +45,22 @@ enum As {
 }
 
 /// A project with the expressions of a campaign, compiled.
-pub(super) struct Watched {
+pub(crate) struct Watched {
     /// The program with the block that computes them.
-    pub(super) build: Build,
+    pub(crate) build: Build,
     /// Where they lie.
-    pub(super) watching: Watching,
+    pub(crate) watching: Watching,
+    /// The CPU type with room for them.
+    pub(crate) cpu: &'static CpuType,
 }
 
 /// Compiles a project together with the expressions of a campaign.
 ///
 /// # Errors
 /// The program does not compile, then with its findings; or an expression does not, then with its place in the file of the campaign.
-pub(super) fn compile(project: &Project, spec: &Spec, overrides: Overrides) -> Result<Watched, Failed> {
+pub(crate) fn compile(project: &Project, spec: &Spec, overrides: Overrides) -> Result<Watched, Failed> {
     let all = slots(spec);
-    let mut wrong: Vec<Diagnostic> = all.iter().filter_map(statements).collect();
+    let mut wrong: Vec<(usize, Diagnostic)> = all.iter().enumerate().filter_map(|(index, slot)| Some((index, statements(slot)?))).collect();
     if !wrong.is_empty() {
         return Err(Failed::Expressions(wrong));
     }
@@ -69,7 +72,7 @@ pub(super) fn compile(project: &Project, spec: &Spec, overrides: Overrides) -> R
         let mut with = project.clone();
         with.add_source(Path::new(SOURCE), source.text.as_bytes());
         let file = with.sources.last().map_or(FileId(0), |source| source.id);
-        let build = with.compile(Overrides { tests: true, ..overrides }, false);
+        let mut build = with.compile(Overrides { tests: true, ..overrides }, false);
         let mut changed = false;
         for finding in &build.findings {
             let diagnostic = &finding.diagnostic;
@@ -82,7 +85,7 @@ pub(super) fn compile(project: &Project, spec: &Spec, overrides: Overrides) -> R
                 kinds[index] = As::Boolean;
                 changed = true;
             } else {
-                wrong.push(source.placed(index, &all[index], diagnostic));
+                wrong.push((index, source.placed(index, &all[index], diagnostic)));
             }
         }
         if changed {
@@ -96,18 +99,37 @@ pub(super) fn compile(project: &Project, spec: &Spec, overrides: Overrides) -> R
             return Err(Failed::Program(Box::new(build)));
         }
         return match watching(&build, &source, &kinds) {
-            Some(watching) => Ok(Watched { build, watching }),
+            Some(watching) => {
+                // It is none of the program's.
+                build.project.sources.pop();
+                Ok(Watched { cpu: with_room(build.cpu), build, watching })
+            }
             None => Err(Failed::Program(Box::new(build))),
         };
     }
 }
 
+/// Bytes of local data that the expressions have beside those of the CPU type, and levels of nesting: what is looked at must not fail a
+/// program that fits.
+const LOCAL_DATA: u32 = 32 * 1024;
+const NESTING: u8 = 2;
+
+/// The CPU type with room for the expressions.
+fn with_room(cpu: &CpuType) -> &'static CpuType {
+    // A CPU type lives as long as the process; there are few of them.
+    Box::leak(Box::new(CpuType {
+        local_data: cpu.local_data.saturating_add(LOCAL_DATA),
+        nesting_depth: cpu.nesting_depth.saturating_add(NESTING),
+        ..*cpu
+    }))
+}
+
 /// Why a campaign cannot be compiled.
-pub(super) enum Failed {
+pub(crate) enum Failed {
     /// The program does not compile.
     Program(Box<Build>),
-    /// Expressions do not, with their places in the file of the campaign.
-    Expressions(Vec<Diagnostic>),
+    /// Expressions do not: the number of each, and what is wrong with its place in the file of the campaign.
+    Expressions(Vec<(usize, Diagnostic)>),
 }
 
 /// What is no expression although it could be a part of the source.
@@ -124,7 +146,7 @@ fn statements(slot: &Slot<'_>) -> Option<Diagnostic> {
 }
 
 /// What is said of expressions that name nothing: such a property holds, or breaks, whatever the program does.
-pub(super) fn constants(spec: &Spec) -> Vec<Diagnostic> {
+pub(crate) fn constants(spec: &Spec) -> Vec<Diagnostic> {
     let names_nothing = |slot: &Slot<'_>| {
         let text = &slot.expression.text;
         let mut words = text.split(|c: char| !c.is_alphanumeric() && !matches!(c, '_' | '#' | '"' | '%' | '.'));
@@ -234,7 +256,7 @@ fn watching(build: &Build, source: &Source, kinds: &[As]) -> Option<Watching> {
 
 impl Watching {
     /// Computes all expressions after a scan. `false`: one of them would stop the CPU.
-    pub(super) fn look(&self, cpu: &mut Cpu, values: &mut Vec<f64>) -> bool {
+    pub(crate) fn look(&self, cpu: &mut Cpu, values: &mut Vec<f64>) -> bool {
         values.clear();
         if self.values.is_empty() {
             return true;

@@ -2,6 +2,7 @@
 
 mod drawing;
 mod last_change;
+mod properties;
 pub mod report;
 pub mod scenario;
 pub mod self_checking;

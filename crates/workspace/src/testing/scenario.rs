@@ -5,9 +5,11 @@ use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
 
+use sieben_campaign::spec::Spec;
 use sieben_cpu::{Cpu, DiagnosticBuffer, Loaded};
 use sieben_engine::{Interpreter, Tracer};
 use sieben_model::address::{Area, Operand};
+use sieben_model::cpu_type::CpuType;
 use sieben_model::problems::Problem;
 use sieben_model::testing::Signal;
 use sieben_model::types::DataType;
@@ -18,7 +20,9 @@ use sieben_sim::timing_diagram::{Mark, Options};
 use sieben_sim::trace::{Channel, Keep, Memory, Moment, Origin, Recorder, Trace};
 
 use super::last_change;
+use super::properties::{self, Holding};
 use super::{After, Conditions, Outcome, Stopwatch, Verdict, Wrong, drawing};
+use crate::campaign::watching::{Watched, Watching};
 use crate::controller;
 use crate::coverage::{Counting, Looking, looking};
 use crate::duration;
@@ -45,15 +49,21 @@ pub fn run(project: Project, scenario: Scenario, file: &str, stopwatch: Stopwatc
     let nothing_ran = Outcome::nothing_ran;
     let overrides =
         Overrides { cpu: conditions.overrides.cpu.or(scenario.cpu), counted: conditions.coverage.is_some(), ..conditions.overrides };
-    let build = match conditions.compile(project, overrides) {
-        Ok(build) => build,
+    let spec = properties::spec(&scenario);
+    let compiled = match spec.properties.is_empty() {
+        true => conditions.compile(project, overrides).map(|build| (build.cpu, build, None)),
+        false => properties::compile(&project, &spec, (&scenario, file), overrides, conditions)
+            .map(|Watched { build, watching, cpu }| (cpu, build, Some(watching))),
+    };
+    let (cpu, build, watching) = match compiled {
+        Ok(compiled) => compiled,
         Err(verdict) => return nothing_ran(verdict),
     };
     if let Some(refusal) = missing(&build, &scenario, file, conditions).or_else(|| without_plant(&build, file, &scenario)) {
         return nothing_ran(Verdict::Unreadable(refusal));
     }
     let looking = looking(&build.compiled);
-    let test = Test { build: Arc::new(build), looking, scenario, file: file.to_owned(), stopwatch, conditions };
+    let test = Test { build: Arc::new(build), cpu, spec, watching, looking, scenario, file: file.to_owned(), stopwatch, conditions };
     test.run()
 }
 
@@ -77,6 +87,11 @@ fn missing(build: &Build, scenario: &Scenario, file: &str, conditions: &Conditio
 /// A scenario with the program that is held against it.
 struct Test<'a> {
     build: Arc<Build>,
+    /// The CPU type, with room for the properties.
+    cpu: &'static CpuType,
+    /// The properties, and where their values lie.
+    spec: Spec,
+    watching: Option<Watching>,
     /// What coverage looks at.
     looking: Looking,
     scenario: Scenario,
@@ -98,6 +113,7 @@ struct Judge<'a> {
     failures: Vec<ScenarioError>,
     differences: Vec<Difference>,
     counting: Option<Counting<'a>>,
+    holding: Option<Holding<'a>>,
     heard: Heard,
     buffer: Option<DiagnosticBuffer>,
 }
@@ -106,9 +122,11 @@ impl Onlooker for Judge<'_> {
     fn see(&mut self, happened: Happened<'_>) {
         match happened {
             Happened::Scan { cpu, time_us, .. } => {
+                let moment = Moment { scan: self.scans, time_us };
                 self.scans += 1;
                 self.time_us = time_us;
                 self.heard.hear(cpu);
+                self.failures.extend(self.holding.as_mut().and_then(|holding| holding.scanned(cpu, moment)));
                 if self.diagnostics && self.buffer.as_ref() != Some(cpu.diagnostic_buffer()) {
                     self.buffer = Some(cpu.diagnostic_buffer().clone());
                 }
@@ -144,6 +162,7 @@ impl Test<'_> {
     fn run(&self) -> Outcome {
         let mut judge = Judge {
             diagnostics: self.conditions.diagnostics,
+            holding: self.watching.as_ref().map(|watching| Holding::new(&self.scenario, &self.spec, watching)),
             heard: Heard::default(),
             buffer: None,
             stopwatch: self.stopwatch.clone(),
@@ -155,7 +174,8 @@ impl Test<'_> {
             differences: Vec::new(),
             counting: self.conditions.coverage.is_some().then(|| Counting::new(&self.looking)),
         };
-        self.go(&self.conditions.loaded(self.build.cpu, &self.build), &mut judge);
+        self.go(&self.conditions.loaded(self.cpu, &self.build), &mut judge);
+        judge.failures.extend(judge.holding.as_mut().and_then(Holding::ended));
         if let Some((collector, counting)) = self.conditions.coverage.as_ref().zip(judge.counting.take()) {
             collector.add(&self.build, None, counting.counts);
         }
@@ -229,7 +249,7 @@ impl Test<'_> {
     /// Runs it once more up to a difference, in the interpreter: who wrote the value, and what was around it.
     fn again(&self, difference: &Difference) -> Vec<String> {
         let code = Arc::new(self.build.compiled.program.clone());
-        let loaded = Loaded::new(self.build.cpu, code, Interpreter::load);
+        let loaded = Loaded::new(self.cpu, code, Interpreter::load);
         let mut looking = Again::new(self, difference);
         self.go(&loaded, &mut looking);
         // What a run that was given up did not see, it cannot tell.
