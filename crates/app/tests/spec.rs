@@ -136,6 +136,9 @@ fn failures(page: &str, section: &Section) -> Vec<String> {
         if !scenario.expects() {
             out.push(format!("{}: the check expects nothing", place(*line)));
         }
+        if !scenario.properties().is_empty() {
+            out.push(format!("{}: a page holds no `property`, only `sieben test` does", place(*line)));
+        }
         let found = run(section, &scenario);
         match (&scenario.known_gap, found.is_empty()) {
             (Some(why), true) => out.push(format!("{}: works now; remove `known-gap \"{why}\"`", place(*line))),

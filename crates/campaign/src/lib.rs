@@ -3,6 +3,7 @@
 
 pub mod disturbed;
 pub mod draws;
+pub mod fuzz;
 pub mod given;
 pub mod identity;
 pub mod judge;

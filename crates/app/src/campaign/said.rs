@@ -71,6 +71,8 @@ impl Run<'_> {
                 (PropertyKind::Sometimes, 0, ..) => "never came".to_owned(),
                 (PropertyKind::Sometimes, came, _, Some(first)) => format!("came in {}, first in {first}", scenarios(came)),
                 (_, _, broken, Some(first)) => format!("broken in {}, first in {first}", scenarios(broken)),
+                _ if tally.run() == 0 => "not looked at".to_owned(),
+                _ if tally.run() < self.asked => "holds so far".to_owned(),
                 _ => "holds".to_owned(),
             };
             let _ = writeln!(text, "  {:10}  {:names$}  {came}", property.kind.word(), property.name);

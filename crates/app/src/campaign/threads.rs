@@ -88,12 +88,13 @@ fn work(campaign: &Campaign, ranges: &Mutex<Receiver<Range<u64>>>, send: &SyncSe
         let next = ranges.lock().unwrap_or_else(PoisonError::into_inner).recv();
         let Ok(range) = next else { return };
         let begun = Instant::now();
-        let mut rows = Vec::with_capacity((range.end - range.start) as usize);
+        let mut rows = Vec::with_capacity((range.end - range.start).min(RANGE_MAX) as usize);
         for number in range.clone() {
             if is_over() {
                 return;
             }
-            rows.push(campaign.run(number));
+            let Ok(row) = campaign.run(number, &|| !is_over()) else { return };
+            rows.push(row);
         }
         if send.send(Done { range, rows, took: begun.elapsed() }).is_err() {
             return;

@@ -89,7 +89,7 @@ struct RunArguments {
     #[arg(long, value_name = "A..B", value_parser = numbers)]
     only: Option<(u64, u64)>,
     /// Scenarios that a thread takes at once [default: as many as take a quarter of a second]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
     range: Option<u64>,
     /// End after the first failure, or after so many; it is always the one with the least number
     #[arg(long, value_name = "first|never|N", default_value = "never", value_parser = failures)]
@@ -267,11 +267,17 @@ fn list(arguments: &ListArguments) -> Result<Exit, Failure> {
     Ok(Exit::Success)
 }
 
+/// The first scenario is looked at for so long.
+const LOOK: Duration = Duration::from_secs(2);
+
 /// How long all scenarios take on one processor, by the first one.
 fn guessed(campaign: &Campaign) -> Duration {
     let begun = Instant::now();
-    campaign.run(0);
-    let all = begun.elapsed().as_secs_f64() * campaign.scenarios() as f64;
+    let run = campaign.run(0, &|| begun.elapsed() < LOOK);
+    let each = begun.elapsed().as_secs_f64();
+    // Of one that takes long a part was run.
+    let part = run.map_or_else(|scans| campaign.programs[0].scans() as f64 / scans.max(1) as f64, |_| 1.0);
+    let all = each * part * campaign.scenarios() as f64;
     // What takes longer than there is a number for takes that long.
     Duration::try_from_secs_f64(all).unwrap_or(Duration::MAX)
 }
@@ -283,7 +289,8 @@ fn about(time: Duration) -> String {
         seconds if seconds < 120.0 => format!("{seconds:.0} s"),
         seconds if seconds < 7200.0 => format!("{:.0} min", seconds / 60.0),
         seconds if seconds < 172_800.0 => format!("{:.0} h", seconds / 3600.0),
-        seconds => format!("{:.0} days", seconds / 86_400.0),
+        seconds if seconds < 3e10 => format!("{:.0} days", seconds / 86_400.0),
+        _ => "more than a thousand years".to_owned(),
     }
 }
 

@@ -92,9 +92,12 @@ impl Campaign {
         self.programs[0].bits.iter().map(Name::text)
     }
 
-    /// Runs a scenario on all programs.
-    pub fn run(&self, number: u64) -> Row {
-        running::run(self, &self.given(number))
+    /// Runs a scenario on all programs, as long as it may go on.
+    ///
+    /// # Errors
+    /// It was given up after so many scans.
+    pub fn run(&self, number: u64, may_go_on: &dyn Fn() -> bool) -> Result<Row, u64> {
+        running::run(self, &self.given(number), may_go_on)
     }
 }
 

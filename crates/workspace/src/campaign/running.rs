@@ -128,7 +128,7 @@ fn properties(spec: &Spec) -> Vec<PropertyLine> {
 }
 
 /// Runs a scenario on all programs of a campaign.
-pub(super) fn run(campaign: &Campaign, given: &Given) -> Row {
+pub(super) fn run(campaign: &Campaign, given: &Given, may_go_on: &dyn Fn() -> bool) -> Result<Row, u64> {
     let spec = &campaign.spec;
     let parameters = (0..spec.sweep.len() + spec.draw.len())
         .map(|index| given.values.iter().find(|(of, _)| *of == index).map(|(_, value)| value.clone()))
@@ -150,7 +150,7 @@ pub(super) fn run(campaign: &Campaign, given: &Given) -> Row {
     };
     let mut kept = None;
     for (index, subject) in campaign.programs.iter().enumerate() {
-        let mut looking = Looking::new(spec, subject, kept.take(), campaign.programs.len() > 1);
+        let mut looking = Looking::new(spec, subject, kept.take(), campaign.programs.len() > 1, may_go_on);
         match scenario(campaign, subject, given) {
             Ok((scenario, rack)) => {
                 let mut rack = Some(rack);
@@ -160,6 +160,9 @@ pub(super) fn run(campaign: &Campaign, given: &Given) -> Row {
                 looking.ended();
             }
             Err(message) => looking.end = Some((Verdict::Error, None, Some(message))),
+        }
+        if looking.given_up {
+            return Err(looking.scans);
         }
         if index == 0 {
             row.measures = looking.judge.measured();
@@ -174,11 +177,11 @@ pub(super) fn run(campaign: &Campaign, given: &Given) -> Row {
                 1 => message,
                 _ => Some(format!("in `{}`{}", subject.path, message.map_or(String::new(), |message| format!(": {message}")))),
             };
-            return row;
+            return Ok(row);
         }
         kept = looking.kept.take();
     }
-    row
+    Ok(row)
 }
 
 /// The scenario with the modules that it runs with.
@@ -190,6 +193,9 @@ fn scenario(campaign: &Campaign, subject: &Subject, given: &Given) -> Result<(Sc
     let modules = modules::with_plants(&subject.build.project.settings.modules, scenario.plants())?;
     Ok((scenario, modules::rack(&modules, subject.cpu)))
 }
+
+/// Whether it may go on is asked every so many scans.
+const ASKED_EVERY: u64 = 1_000;
 
 /// How a scenario ended, with the property that did not hold and what is to be said.
 type End = (Verdict, Option<Broken>, Option<String>);
@@ -204,6 +210,8 @@ struct Looking<'s> {
     scans: u64,
     last: Option<Moment>,
     end: Option<End>,
+    may_go_on: &'s dyn Fn() -> bool,
+    given_up: bool,
     /// Where it differs from the recording.
     differs: Option<Moment>,
     /// What the program before this one came to, scan by scan, and what this one does.
@@ -213,7 +221,7 @@ struct Looking<'s> {
 }
 
 impl<'s> Looking<'s> {
-    fn new(spec: &'s Spec, subject: &'s Subject, before: Option<Vec<f64>>, keeps: bool) -> Self {
+    fn new(spec: &'s Spec, subject: &'s Subject, before: Option<Vec<f64>>, keeps: bool, may_go_on: &'s dyn Fn() -> bool) -> Self {
         let mut slot = 0;
         let mut same = Vec::new();
         for (index, property) in spec.properties.iter().enumerate() {
@@ -231,6 +239,8 @@ impl<'s> Looking<'s> {
             scans: 0,
             last: None,
             end: None,
+            may_go_on,
+            given_up: false,
             differs: None,
             before,
             kept: (keeps && !same.is_empty()).then(Vec::new),
@@ -312,6 +322,10 @@ impl Onlooker for Looking<'_> {
     }
 
     fn may_go_on(&mut self) -> bool {
-        self.end.is_none()
+        // To ask takes longer than many a scan.
+        if self.scans % ASKED_EVERY == ASKED_EVERY - 1 && !(self.may_go_on)() {
+            self.given_up = true;
+        }
+        self.end.is_none() && !self.given_up
     }
 }
