@@ -86,6 +86,7 @@ fn parts_make_the_whole_and_the_first_failure_is_the_least() {
     assert_eq!((&first["fail"], first["run"].as_u64()), (&1.into(), first["first_failure"]["scenario"].as_u64().map(|number| number + 1)));
     let text = folder.run(&["campaign", "run", "c.toml", "--only", "150..150"]).code(2).stderr;
     assert!(text.contains("the campaign has 150 scenarios, 0 to 149"), "{text}");
+    folder.run(&["campaign", "show", "c.toml", "150"]).code(2).stderr("there is no scenario 150: the campaign has 150 scenarios, 0 to 149");
     let used_up = count(&["--budget", "0"], 5);
     assert_eq!(used_up["run"], 0);
 }

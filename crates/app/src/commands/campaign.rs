@@ -342,7 +342,8 @@ fn wanted(campaign: &Campaign, only: Option<(u64, u64)>) -> Result<Range<u64>, F
         None => Ok(0..all),
         Some((from, to)) if to < all => Ok(from..to + 1),
         Some((from, to)) => {
-            let message = format!("`--only {from}..{to}`: the campaign has {}, 0 to {}", said::scenarios(all), all.saturating_sub(1));
+            let which = if from == to { format!("there is no scenario {from}") } else { format!("`--only {from}..{to}`") };
+            let message = format!("{which}: the campaign has {}, 0 to {}", said::scenarios(all), all.saturating_sub(1));
             Err(Failure::usage(Problem::P7001, message))
         }
     }
