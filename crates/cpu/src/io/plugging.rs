@@ -74,10 +74,14 @@ pub(super) struct Run {
 impl Rack {
     /// One simulated module at every address: what a program without a configuration runs with.
     pub fn simulated(cpu: &CpuType) -> Self {
-        let background = SimulatedModule::new("simulated", 0..cpu.peripheral);
+        Self::background(cpu).finish()
+    }
+
+    /// The simulated module, not ready yet.
+    fn background(cpu: &CpuType) -> Self {
         let mut rack = Self::empty(cpu);
-        rack.claim(Box::new(background));
-        rack.finish()
+        rack.claim(Box::new(SimulatedModule::new("simulated", 0..cpu.peripheral)));
+        rack
     }
 
     /// These modules, and a simulated one at every address that they leave free.
@@ -86,7 +90,7 @@ impl Rack {
     /// Two of them overlap, or one reaches beyond the peripheral area.
     pub fn with_background(cpu: &CpuType, modules: Vec<Box<dyn IoModule>>) -> Result<Self, RackError> {
         Self::check(cpu, &modules)?;
-        let mut rack = Self::simulated(cpu);
+        let mut rack = Self::background(cpu);
         for module in modules {
             rack.claim(module);
         }
@@ -152,12 +156,9 @@ impl Rack {
     pub(super) fn claim(&mut self, module: Box<dyn IoModule>) {
         // A checked rack has at most one module per byte, far below 2^16.
         let index = Some(self.modules.len() as u16);
-        for byte in module.inputs() {
-            self.input_owner[byte as usize] = index;
-        }
-        for byte in module.outputs() {
-            self.output_owner[byte as usize] = index;
-        }
+        let places = |bytes: Range<u32>| bytes.start as usize..(bytes.end as usize).max(bytes.start as usize);
+        self.input_owner[places(module.inputs())].fill(index);
+        self.output_owner[places(module.outputs())].fill(index);
         self.lively.push(!is_simulated(&*module));
         self.modules.push(module);
     }
@@ -174,13 +175,11 @@ pub(super) fn is_simulated(module: &dyn IoModule) -> bool {
 }
 
 fn runs(owners: &[Option<u16>]) -> Vec<Run> {
-    let mut runs: Vec<Run> = Vec::new();
-    for (byte, owner) in owners.iter().enumerate() {
-        let Some(module) = owner.map(usize::from) else { continue };
-        match runs.last_mut() {
-            Some(run) if run.module == module && run.bytes.end == byte => run.bytes.end += 1,
-            _ => runs.push(Run { module, bytes: byte..byte + 1 }),
-        }
-    }
-    runs
+    let mut begin = 0;
+    let run = |owners: &[Option<u16>]| {
+        let bytes = begin..begin + owners.len();
+        begin = bytes.end;
+        owners[0].map(|module| Run { module: usize::from(module), bytes })
+    };
+    owners.chunk_by(|one, other| one == other).filter_map(run).collect()
 }
