@@ -6,6 +6,7 @@ use serde_json::{Value, json};
 use sieben_cpu::{Cpu, CyclicInterrupt, Loaded, Rack, Settings, StopCause};
 use sieben_engine::{Engine, FaultPlace, Layout, Program};
 use sieben_model::block::BlockId;
+use sieben_model::cpu_type::CpuType;
 use sieben_model::source::Span;
 
 use crate::project::Build;
@@ -38,6 +39,22 @@ pub fn rack(build: &Build) -> Rack {
 pub fn loaded(build: &Build, engine: impl FnOnce(&Program, &Layout) -> Arc<dyn Engine>) -> Loaded {
     let program = Arc::new(build.compiled.program.clone());
     Loaded::new(build.cpu, program, engine)
+}
+
+/// Bytes of local data that blocks of tests and campaigns have beside those of the CPU type: what they need must not fail a program that
+/// fits.
+const LOCAL_DATA: u32 = 32 * 1024;
+/// Levels of nesting that they take: the one that the CPU starts, and SETUP or the test itself.
+const NESTING: u8 = 2;
+
+/// The CPU type with room for the blocks of a test or a campaign beside the program.
+pub fn with_room(cpu: &CpuType) -> &'static CpuType {
+    // A CPU type lives as long as the process; there are no more of them than test files and programs of a campaign.
+    Box::leak(Box::new(CpuType {
+        local_data: cpu.local_data.saturating_add(LOCAL_DATA),
+        nesting_depth: cpu.nesting_depth.saturating_add(NESTING),
+        ..*cpu
+    }))
 }
 
 /// A CPU in STOP with the program loaded and the rack of the project.

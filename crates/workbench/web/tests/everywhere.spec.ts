@@ -113,8 +113,8 @@ test('75: on a projector the plant, 13 rows and the reason are in sight', async 
   await open(page);
   await expect(id(page, 'plant-picture')).toBeInViewport({ ratio: 1 });
   await expect(id(page, 'reason')).toBeInViewport();
-  const rows = await page.locator('[data-testid^=stl-row-]').evaluateAll((all) => all.filter((row) => row.getBoundingClientRect().bottom <= (row.closest('.pb')?.getBoundingClientRect().bottom ?? 0)).length);
-  expect(rows).toBeGreaterThanOrEqual(13);
+  const rows = () => page.locator('[data-testid^=stl-row-]').evaluateAll((all) => all.filter((row) => row.getBoundingClientRect().bottom <= (row.closest('.pb')?.getBoundingClientRect().bottom ?? 0)).length);
+  await expect.poll(rows).toBeGreaterThanOrEqual(13);
 });
 
 test('76: themes in their order, and kept', async ({ page }) => {

@@ -16,6 +16,7 @@ use sieben_model::source::{FileId, Span};
 use sieben_model::types::DataType;
 use sieben_sim::names::Name;
 
+use crate::controller;
 use crate::finding::Origin;
 use crate::project::{Build, Overrides, Project};
 
@@ -102,26 +103,11 @@ pub(crate) fn compile(project: &Project, spec: &Spec, overrides: Overrides) -> R
             Some(watching) => {
                 // It is none of the program's.
                 build.project.sources.pop();
-                Ok(Watched { cpu: with_room(build.cpu), build, watching })
+                Ok(Watched { cpu: controller::with_room(build.cpu), build, watching })
             }
             None => Err(Failed::Program(Box::new(build))),
         };
     }
-}
-
-/// Bytes of local data that the expressions have beside those of the CPU type, and levels of nesting: what is looked at must not fail a
-/// program that fits.
-const LOCAL_DATA: u32 = 32 * 1024;
-const NESTING: u8 = 2;
-
-/// The CPU type with room for the expressions.
-fn with_room(cpu: &CpuType) -> &'static CpuType {
-    // A CPU type lives as long as the process; there are few of them.
-    Box::leak(Box::new(CpuType {
-        local_data: cpu.local_data.saturating_add(LOCAL_DATA),
-        nesting_depth: cpu.nesting_depth.saturating_add(NESTING),
-        ..*cpu
-    }))
 }
 
 /// Why a campaign cannot be compiled.

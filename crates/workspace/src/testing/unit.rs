@@ -23,11 +23,6 @@ use crate::project::{Build, Overrides, Project};
 use crate::refusal::Refusal;
 use crate::schedule;
 
-/// Bytes of local data that the blocks of a test have beside those of the CPU type: what a test needs must not fail a program that
-/// fits.
-const LOCAL_DATA: u32 = 32 * 1024;
-/// Levels of nesting that the blocks of a test take: the one that the CPU starts, and SETUP or the test itself.
-const NESTING: u8 = 2;
 /// Scans that the diagram of a failed test shows.
 const TRAIL: u64 = 40;
 /// Variables that it shows.
@@ -81,12 +76,7 @@ pub fn cases(name: &str, project: Result<Project, Refusal>, conditions: &Conditi
 fn compile(project: Project, conditions: &Conditions) -> Result<Ready, Verdict> {
     let overrides = Overrides { tests: true, counted: conditions.coverage.is_some(), ..conditions.overrides };
     let build = conditions.compile(project, overrides)?;
-    // A CPU type lives as long as the process; there are no more of them than test files.
-    let cpu: &'static CpuType = Box::leak(Box::new(CpuType {
-        local_data: build.cpu.local_data.saturating_add(LOCAL_DATA),
-        nesting_depth: build.cpu.nesting_depth.saturating_add(NESTING),
-        ..*build.cpu
-    }));
+    let cpu = controller::with_room(build.cpu);
     let loaded = conditions.loaded(cpu, &build);
     let settings = controller::settings(&build);
     let cycle = schedule::going_cycle(conditions.cycle, &build.project.settings);
