@@ -6,7 +6,7 @@ import { route, type View } from './route.svelte';
 import { page } from './state.svelte';
 import { t, type Word } from './words.svelte';
 
-let prefix = 0;
+let prefix = -Infinity;
 
 interface Key {
   /** As it is shown. */
@@ -117,7 +117,7 @@ export function press(event: KeyboardEvent): void {
     prefix = performance.now();
     return;
   }
-  prefix = 0;
+  prefix = -Infinity;
   const key = KEYS.find((one) => one.match.includes(wanted)) ?? KEYS.find((one) => one.match.includes(name));
   if (key === undefined) return;
   event.preventDefault();
