@@ -1,16 +1,12 @@
 //! What is drawn: numbers that look random, and depend on nothing but a seed, the number of a scenario and a name.
 
-use crate::spec::Law;
+use sieben_sim::devices::random::Random;
 
-/// The step of the generator SplitMix64.
-const STEP: u64 = 0x9E37_79B9_7F4A_7C15;
+use crate::spec::Law;
 
 /// The output of SplitMix64 for a state: every bit of it depends on every bit of the state.
 pub fn mix(state: u64) -> u64 {
-    let mut mixed = state.wrapping_add(STEP);
-    mixed = (mixed ^ mixed >> 30).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-    mixed = (mixed ^ mixed >> 27).wrapping_mul(0x94D0_49BB_1331_11EB);
-    mixed ^ mixed >> 31
+    Random::new(state).next()
 }
 
 /// The seed of a scenario.
@@ -44,8 +40,9 @@ impl Stream {
 
     /// The next number from 0 up to, but not including, 1.
     pub fn fraction(&mut self) -> f64 {
-        // 53 bits are what a float holds exactly.
-        (self.next_u64() >> 11) as f64 / (1_u64 << 53) as f64
+        let fraction = Random::new(self.state).fraction();
+        self.state = self.state.wrapping_add(1);
+        fraction
     }
 
     /// The place of one of so many things; 0 if there is none.
@@ -134,7 +131,7 @@ mod tests {
     fn draws_are_the_same_for_ever() {
         // The first outputs of SplitMix64 with the seed 0, by its authors' table.
         assert_eq!(mix(0), 0xE220_A839_7B1D_CDAF);
-        assert_eq!(mix(STEP), 0x6E78_9E6A_A1B9_65F4);
+        assert_eq!(mix(0x9E37_79B9_7F4A_7C15), 0x6E78_9E6A_A1B9_65F4);
         assert_eq!(fnv(""), 0xCBF2_9CE4_8422_2325);
         assert_eq!(fnv("a"), 0xAF63_DC4C_8601_EC8C);
         assert_eq!(seed_of(7, 0), mix(mix(7)));

@@ -198,8 +198,8 @@ mod tests {
             let [bit, word] = &given(&spec, number).walks[..] else { panic!("two walks") };
             assert!(bit.changes.iter().all(|(time, _)| time % 2_000_000 == 0 && *time < 100_000_000));
             let values = bit.changes.iter().map(|(_, value)| value.clone());
-            let turns = (0..bit.changes.len()).map(|index| Value::Boolean(index % 2 == 0));
-            assert!(values.eq(turns));
+            let changing = (0..bit.changes.len()).map(|index| Value::Boolean(index % 2 == 0));
+            assert!(values.eq(changing));
             assert!(word.changes.iter().all(|(_, value)| matches!(value, Value::Number(number) if (0.0..=10.0).contains(number))));
         }
     }

@@ -2,6 +2,7 @@
 
 use sieben_sim::trace::Moment;
 
+use crate::slots;
 use crate::spec::{Measure, Of, Property, PropertyKind, Spec};
 
 /// A property that does not hold.
@@ -36,14 +37,10 @@ struct Gauge {
 impl<'s> Judge<'s> {
     /// At the beginning of a scenario with this time from one scan to the next.
     pub fn new(spec: &'s Spec, cycle_us: u64) -> Self {
-        let mut slot = 0;
-        let mut next = |count: usize| {
-            slot += count;
-            slot - count
-        };
-        let properties =
-            spec.properties.iter().map(|property| (property, next(1 + usize::from(property.then.is_some())), None)).collect::<Vec<_>>();
-        let measures = spec.measures.iter().map(|measure| (measure, next(1), Gauge::default())).collect();
+        let slots = slots::of_properties(spec);
+        let first = slots.last().copied().unwrap_or(0);
+        let properties: Vec<_> = spec.properties.iter().zip(slots).map(|(property, slot)| (property, slot, None)).collect();
+        let measures = spec.measures.iter().zip(first..).map(|(measure, slot)| (measure, slot, Gauge::default())).collect();
         Self { came: vec![false; properties.len()], properties, measures, cycle_s: cycle_us as f64 / 1e6, last: None }
     }
 

@@ -20,7 +20,7 @@ pub enum Verdict {
 }
 
 impl Verdict {
-    /// All of them.
+    /// All of them, each at the place of its number.
     pub const ALL: [Self; 5] = [Self::Pass, Self::Fail, Self::Stop, Self::Limit, Self::Error];
 
     /// The word of results.
@@ -69,8 +69,7 @@ pub struct Row {
 impl Row {
     /// What came of it, as numbers.
     pub fn parts(&self) -> impl Iterator<Item = u64> {
-        let verdict = Verdict::ALL.iter().position(|&one| one == self.verdict).unwrap_or(0) as u64;
-        let ended = [self.scenario, self.seed, verdict, self.property.map_or(0, |property| property as u64 + 1)];
+        let ended = [self.scenario, self.seed, self.verdict as u64, self.property.map_or(0, |property| property as u64 + 1)];
         let measures = self.measures.iter().map(|measure| measure.map_or(u64::MAX, f64::to_bits));
         ended
             .into_iter()

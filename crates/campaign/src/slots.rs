@@ -1,6 +1,6 @@
 //! The expressions of a campaign, each with the slot that its value lies in after a scan.
 
-use crate::spec::{Placed, PropertyKind, Spec};
+use crate::spec::{Placed, Property, PropertyKind, Spec};
 
 /// What an expression is wanted as.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,6 +20,16 @@ pub struct Slot<'s> {
     pub wanted: Wanted,
     /// As it is written.
     pub expression: &'s Placed,
+}
+
+/// The slot of each property's first expression, and last the slot of the first measure: a response has two.
+pub fn of_properties(spec: &Spec) -> Vec<usize> {
+    let count = |property: &Property| 1 + usize::from(property.then.is_some());
+    let ends = spec.properties.iter().scan(0, |end, property| {
+        *end += count(property);
+        Some(*end)
+    });
+    std::iter::once(0).chain(ends).collect()
 }
 
 /// All expressions in the order of their slots: those of the properties, then those of the measures.

@@ -1,6 +1,5 @@
 //! A recording with other inputs than it was recorded with.
 
-use super::property::PropertyLine;
 use super::{Assignment, Assignments, Command, Line, Scenario};
 use crate::names::Setting;
 
@@ -39,9 +38,9 @@ impl Scenario {
     }
 
     /// The same scenario with these values at their times in the place of those of its `at` lines, and with what is set before the
-    /// first scan, and these properties. All of them stand at its beginning, so that any of them can come at any time.
+    /// first scan. All of them stand at its beginning, so that any of them can come at any time.
     #[must_use]
-    pub fn with_timed(&self, set: Vec<Setting>, timed: Vec<Timed>, properties: Vec<PropertyLine>) -> Self {
+    pub fn with_timed(&self, set: Vec<Setting>, timed: Vec<Timed>) -> Self {
         let mut commands = Vec::new();
         if !set.is_empty() {
             commands.push(Command::Set(set.into_iter().map(Into::into).collect::<Assignments>()));
@@ -52,7 +51,7 @@ impl Scenario {
         lines.extend(self.lines.iter().filter(|line| !matches!(line.command, Command::At(..))).cloned());
         // As its text has it, so that what is said names the line.
         lines.iter_mut().zip(1..).for_each(|(line, number)| line.number = number);
-        Self { lines, properties, ..self.clone() }
+        Self { lines, ..self.clone() }
     }
 }
 
@@ -71,7 +70,7 @@ mod tests {
             [(100_000, "I 0.0", "1"), (100_000, "MW 4", "5"), (150_000, "I 0.0", "0"),]
         );
         assert_eq!(scenario.scans(), 5 + 2 + 50);
-        let other = scenario.with_timed(Vec::new(), vec![Timed { time_us: 7_000, ..timed[2].clone() }], Vec::new());
+        let other = scenario.with_timed(Vec::new(), vec![Timed { time_us: 7_000, ..timed[2].clone() }]);
         assert_eq!(
             other.to_string(),
             "cycle 20ms\nstart with I 0.1=1\nat 7ms I 0.0=0\nalways Q 0.0=0\nscan 5\nscan 2\nscan until 1000ms\n"

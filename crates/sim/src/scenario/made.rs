@@ -16,8 +16,6 @@ pub struct Parts {
     pub scans: u64,
     /// Parameters of plants.
     pub plants: Vec<PlantLine>,
-    /// What has to hold.
-    pub properties: Vec<PropertyLine>,
     /// Set before the first scan.
     pub set: Vec<Setting>,
     /// Set at their times, in microseconds.
@@ -29,7 +27,7 @@ pub struct Parts {
 impl Scenario {
     /// A scenario of these parts.
     pub fn made(parts: Parts) -> Self {
-        let Parts { cycle_us, scans, plants, properties, set, at, faults } = parts;
+        let Parts { cycle_us, scans, plants, set, at, faults } = parts;
         let mut commands: Vec<Command> = faults.into_iter().map(Command::Fault).collect();
         if !set.is_empty() {
             commands.push(Command::Set(set.into_iter().map(Into::into).collect()));
@@ -41,6 +39,12 @@ impl Scenario {
         commands.extend(times.into_iter().map(|(time, values)| Command::At(time, values)));
         commands.push(Command::Scan(scans));
         let lines = commands.into_iter().zip(1..).map(|(command, number)| Line { number, command }).collect();
-        Self { cycle_us: cycle_us.max(1), plants, properties, lines, ..Self::default() }
+        Self { cycle_us: cycle_us.max(1), plants, lines, ..Self::default() }
+    }
+
+    /// The same scenario with these properties in the place of its own.
+    #[must_use]
+    pub fn with_properties(self, properties: Vec<PropertyLine>) -> Self {
+        Self { properties, ..self }
     }
 }

@@ -84,7 +84,8 @@ impl Campaign {
     /// # Errors
     /// A value that was drawn does not fit; the message says so.
     pub fn scenario(&self, number: u64) -> Result<Scenario, String> {
-        self.programs[0].scenario(self, &self.given(number))
+        let scenario = self.programs[0].scenario(self, &self.given(number))?;
+        Ok(scenario.with_properties(running::properties(&self.spec)))
     }
 
     /// What the bits of `[exhaustive]` are called, the first of the number first.

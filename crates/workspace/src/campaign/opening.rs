@@ -125,19 +125,18 @@ fn subject(
     let mut set = Vec::new();
     let mut fixed = Vec::new();
     for one in &spec.set {
-        let done = Target::of(&one.name, &build).and_then(|target| {
-            fits(&target, &one.value, &build, Rounding::Never)
-                .map_err(|message| Box::new(unfit(&one.name.text, one.name.span, &message)))
-                .map(|()| target)
-        });
-        match done {
-            Err(diagnostic) => wrong.push(*diagnostic),
-            Ok(Target::Name(name)) => set.extend(targets::setting(&name, &one.value, Rounding::Never)),
+        let done = match Target::of(&one.name, &build) {
+            Err(diagnostic) => {
+                wrong.push(*diagnostic);
+                continue;
+            }
+            Ok(Target::Name(name)) => targets::setting(&name, &one.value, Rounding::Never).map(|setting| set.push(setting)),
             Ok(Target::Plant(module, parameter)) => {
                 let row = &build.project.settings.modules[module].device.kind.parameters[parameter];
-                fixed.extend(targets::parameter(row, &one.value).map(|value| (module, parameter, value)));
+                targets::parameter(row, &one.value).map(|value| fixed.push((module, parameter, value)))
             }
-        }
+        };
+        wrong.extend(done.err().map(|message| unfit(&one.name.text, one.name.span, &message)));
     }
     let mut all = Vec::new();
     for sweep in &spec.sweep {

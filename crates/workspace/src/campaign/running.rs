@@ -5,6 +5,7 @@ use sieben_campaign::draws::Stream;
 use sieben_campaign::given::Given;
 use sieben_campaign::judge::{Broken, Judge};
 use sieben_campaign::row::{Row, Verdict};
+use sieben_campaign::slots;
 use sieben_campaign::spec::{PropertyKind, Spec, Value};
 use sieben_cpu::{Cpu, OperatingMode, Rack};
 use sieben_model::address::Area;
@@ -58,15 +59,7 @@ impl Subject {
         if let Some(recording) = &campaign.recording {
             return Ok(self.replayed(recording, spec, given, set, at));
         }
-        Ok(Scenario::made(Parts {
-            cycle_us: self.cycle_us,
-            scans: self.scans,
-            plants,
-            properties: properties(spec),
-            set,
-            at,
-            faults: given.faults.clone(),
-        }))
+        Ok(Scenario::made(Parts { cycle_us: self.cycle_us, scans: self.scans, plants, set, at, faults: given.faults.clone() }))
     }
 
     /// A recording with its inputs disturbed, and what else is given.
@@ -85,7 +78,7 @@ impl Subject {
         };
         timed.extend(at.into_iter().map(|(time_us, setting)| Timed { time_us, name: setting.name.text().to_owned(), value: setting.text }));
         timed.sort_by_key(|one| one.time_us);
-        recording.with_timed(set, timed, properties(spec))
+        recording.with_timed(set, timed)
     }
 
     /// The plants, each with the seed that it has in the scenario.
@@ -113,7 +106,7 @@ impl Subject {
 }
 
 /// What has to hold of one run, as lines of its scenario.
-fn properties(spec: &Spec) -> Vec<PropertyLine> {
+pub(super) fn properties(spec: &Spec) -> Vec<PropertyLine> {
     let of_one_run = spec.properties.iter().filter(|property| !matches!(property.kind, PropertyKind::Sometimes | PropertyKind::Same));
     of_one_run
         .map(|property| PropertyLine {
@@ -222,14 +215,9 @@ struct Looking<'s> {
 
 impl<'s> Looking<'s> {
     fn new(spec: &'s Spec, subject: &'s Subject, before: Option<Vec<f64>>, keeps: bool, may_go_on: &'s dyn Fn() -> bool) -> Self {
-        let mut slot = 0;
-        let mut same = Vec::new();
-        for (index, property) in spec.properties.iter().enumerate() {
-            if property.kind == PropertyKind::Same {
-                same.push((index, slot));
-            }
-            slot += 1 + usize::from(property.then.is_some());
-        }
+        let slots = slots::of_properties(spec).into_iter().enumerate();
+        let is_same = |(index, _): &(usize, usize)| spec.properties.get(*index).is_some_and(|property| property.kind == PropertyKind::Same);
+        let same: Vec<(usize, usize)> = slots.filter(is_same).collect();
         Self {
             subject,
             judge: Judge::new(spec, subject.cycle_us),

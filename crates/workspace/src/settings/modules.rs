@@ -56,13 +56,16 @@ pub fn rack(modules: &[Module], cpu: &CpuType) -> Rack {
 pub fn with_plants(modules: &[Module], lines: &[PlantLine]) -> Result<Vec<Module>, String> {
     let mut modules = modules.to_vec();
     for line in lines {
-        let names: Vec<String> = modules.iter().map(|module| module.device.name.clone()).collect();
-        let Some(module) = modules.iter_mut().find(|module| module.device.name == line.module) else {
-            return Err(match names.is_empty() {
+        let Some(place) = modules.iter().position(|module| module.device.name == line.module) else {
+            return Err(match modules.is_empty() {
                 true => format!("the project has no plant `{}`", line.module),
-                false => format!("the project has no plant `{}`; it has {}", line.module, one_of(names.iter().map(String::as_str))),
+                false => {
+                    let names = modules.iter().map(|module| module.device.name.as_str());
+                    format!("the project has no plant `{}`; it has {}", line.module, one_of(names))
+                }
             });
         };
+        let module = &mut modules[place];
         let kind = module.device.kind;
         for (name, value) in &line.parameters {
             let parameter = kind.parameters.iter().position(|parameter| parameter.name == name);

@@ -1,6 +1,7 @@
 //! Properties of a scenario: held against its scans as those of a campaign are.
 
 use sieben_campaign::judge::{Broken, Judge};
+use sieben_campaign::slots;
 use sieben_campaign::spec::{Placed, Property, Spec};
 use sieben_cpu::Cpu;
 use sieben_model::problems::Problem;
@@ -38,9 +39,10 @@ pub(super) fn compile(
     overrides: Overrides,
     conditions: &Conditions,
 ) -> Result<Watched, Verdict> {
+    let slots = slots::of_properties(spec);
     let line_of = |slot: usize| {
-        let lines = scenario.properties().iter().flat_map(|property| vec![property.line; 1 + usize::from(property.then.is_some())]);
-        lines.clone().nth(slot).unwrap_or(0)
+        let property = slots.partition_point(|&begin| begin <= slot).saturating_sub(1);
+        scenario.properties().get(property).map_or(0, |property| property.line)
     };
     watching::compile(project, spec, overrides).map_err(|failed| match failed {
         Failed::Program(build) => Verdict::DoesNotCompile(conditions.outside.show(&build.findings, &build.project.texts)),
