@@ -144,7 +144,7 @@ pub(crate) fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
 }
 
 /// As [`write_whole`], for what is too large to be held: `write` writes it piece by piece.
-pub(crate) fn write_with(path: &Path, write: &mut dyn FnMut(&mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
+pub(crate) fn write_with(path: &Path, write: &mut dyn FnMut(&mut (dyn Write + Send)) -> io::Result<()>) -> Result<(), Failure> {
     let mut buffered = |file: &File| {
         let mut buffer = BufWriter::new(file);
         write(&mut buffer).and_then(|()| buffer.flush())

@@ -64,6 +64,14 @@ pub(crate) enum Trouble {
 }
 
 impl Trouble {
+    /// The reason why bytes from outside cannot be read, as the end of a sentence: a library that did not expect them has no other word.
+    pub(crate) fn of_bytes(self) -> String {
+        match self {
+            Self::Refused(reason) => reason,
+            Self::OurMistake(_) => "it is damaged".to_owned(),
+        }
+    }
+
     /// The reason as the end of a sentence.
     pub(crate) fn reason(self) -> String {
         match self {

@@ -32,7 +32,7 @@ fn timeless(mut result: Json) -> Json {
 #[test]
 fn every_combination_is_tried_and_the_first_that_breaks_is_told() {
     let sound = Folder::with(&[("main.awl", &motor(" AN I 0.1;\n")), ("c.toml", INTERLOCK)]);
-    let result = sound.run(&["campaign", "run", "c.toml", "--json"]).code(0).json();
+    let result = sound.run(&["campaign", "run", "c.toml", "--json", "--quiet"]).code(0).json();
     assert_eq!((&result["scenarios"], &result["pass"], &result["first_failure"]), (&256.into(), &256.into(), &Json::Null));
     assert_eq!(result["properties"][1]["came"], 64 / 2, "forward and the enabling bit, without the other direction");
 
@@ -97,7 +97,7 @@ fn every_kind_of_property_is_held_against_a_run() {
     let verdict = |properties: &str| {
         let spec = format!("[campaign]\nfor = \"100ms\"\n{properties}");
         let folder = Folder::with(&[("main.awl", program), ("c.toml", &spec)]);
-        let run = folder.run(&["campaign", "run", "c.toml", "--json"]);
+        let run = folder.run(&["campaign", "run", "c.toml", "--json", "--quiet"]);
         let result = run.json();
         (run.code.unwrap_or(-1), result["first_failure"]["property"].clone(), result["first_failure"]["scan"].clone())
     };
@@ -155,7 +155,7 @@ fn programs_are_compared_scan_by_scan() {
     let spec = "[campaign]\nfor = \"1s\"\nsamples = 20\n[matrix]\nprogram = [\"old\", \"new\"]\n[draw]\n\"MW 14\" = { uniform = [5, 50] }\n\"MW 12\" = { choice = [1] }\n\
                 [[same]]\nname = \"lamp\"\nexpr = \"Q4.0\"\n[[same]]\nname = \"sum\"\nexpr = \"WORD_TO_INT(MW10)\"\n";
     let folder = Folder::with(&[("old/main.awl", COUNTING), ("new/main.awl", &slower), ("c.toml", spec)]);
-    let result = folder.run(&["campaign", "run", "c.toml", "--json"]).code(1).json();
+    let result = folder.run(&["campaign", "run", "c.toml", "--json", "--quiet"]).code(1).json();
     assert_eq!((&result["fail"], &result["first_failure"]["property"]), (&20.into(), &"lamp".into()));
     assert_eq!(result["first_failure"]["message"], "in `new`");
     folder.write("new/main.awl", COUNTING.as_bytes());
@@ -175,7 +175,7 @@ fn a_recording_is_replayed_with_its_inputs_disturbed() {
     folder.write("c.toml", spec("[disturb]\ntime = { uniform = [\"-15ms\", \"15ms\"] }\n").as_bytes());
     folder.run(&["campaign", "run", "c.toml"]).code(0);
     folder.write("c.toml", spec("[disturb]\nbounce = { chance = 0.2, for = \"30ms\" }\n").as_bytes());
-    let result = folder.run(&["campaign", "run", "c.toml", "--json"]).code(1).json();
+    let result = folder.run(&["campaign", "run", "c.toml", "--json", "--quiet"]).code(1).json();
     assert!(result["first_failure"]["message"].as_str().is_some_and(|message| message.contains("should be")), "{result}");
     let number = result["first_failure"]["scenario"].to_string();
     folder.run(&["campaign", "show", "c.toml", &number, "-o", "found.scenario"]).code(0);
@@ -191,7 +191,7 @@ fn plants_have_their_parameters_and_faults() {
                 [[fault]]\nchance = 0.5\nsignal = \"oven.temperature\"\nfault = \"stuck=-50\"\nfrom = \"10s\"\nfor = \"5s\"\n\
                 [[measure]]\nname = \"hot\"\nof = \"max\"\nexpr = \"WORD_TO_INT(MW10)\"\n[[measure]]\nname = \"cold\"\nof = \"min\"\nexpr = \"WORD_TO_INT(MW10)\"\n";
     let folder = Folder::with(&[("sieben.toml", project), ("main.awl", program), ("c.toml", spec)]);
-    let result = folder.run(&["campaign", "run", "c.toml", "--json"]).code(0).json();
+    let result = folder.run(&["campaign", "run", "c.toml", "--json", "--quiet"]).code(0).json();
     let (hot, cold) = (&result["measures"][0], &result["measures"][1]);
     assert!(
         hot["max_scenario"].as_u64() >= Some(10) && hot["max"].as_f64() > Some(2_000.0) && hot["min"].as_f64() < Some(1_000.0),
@@ -212,7 +212,7 @@ fn a_stop_is_a_verdict() {
     let program = "ORGANIZATION_BLOCK OB 1\nBEGIN\n A I 0.0;\n JCN end;\n CALL SFC 46;\nend: NOP 0;\nEND_ORGANIZATION_BLOCK\n";
     let spec = "[exhaustive]\ninputs = [\"I 0.0\"]\n[[never]]\nname = \"lamp\"\nexpr = \"Q4.0\"\n";
     let folder = Folder::with(&[("main.awl", program), ("c.toml", spec)]);
-    let result = folder.run(&["campaign", "run", "c.toml", "--json"]).code(1).json();
+    let result = folder.run(&["campaign", "run", "c.toml", "--json", "--quiet"]).code(1).json();
     assert_eq!((&result["pass"], &result["stop"], &result["first_failure"]["verdict"]), (&1.into(), &1.into(), &"stop".into()));
 }
 

@@ -24,8 +24,8 @@ pub struct Given {
     pub values: Vec<(usize, Value)>,
     /// Values that change again and again.
     pub walks: Vec<Walked>,
-    /// How signals of plants fail.
-    pub faults: Vec<Fault>,
+    /// How signals of plants fail, each with the place of its row in the file.
+    pub faults: Vec<(usize, Fault)>,
 }
 
 /// A walk.
@@ -51,7 +51,7 @@ impl Given {
                 Found::Changes(changes) => walks.push(Walked { index, changes }),
             }
         }
-        let faults = spec.faults.iter().filter_map(|row| fault(row, seed, spec)).collect();
+        let faults = (0..).zip(&spec.faults).filter_map(|(index, row)| Some((index, fault(row, seed, spec)?))).collect();
         Self { number, point, seed, values, walks, faults }
     }
 }
@@ -182,7 +182,7 @@ mod tests {
     #[test]
     fn faults_come_as_often_as_their_chance_and_are_over_when_it_settles() {
         let spec = spec();
-        let faults: Vec<Fault> = (0..2_000).flat_map(|number| given(&spec, number).faults).collect();
+        let faults: Vec<Fault> = (0..2_000).flat_map(|number| given(&spec, number).faults).map(|(_, fault)| fault).collect();
         // A third of them would begin when it is over: from 100 to 120 of 60 to 120 seconds.
         assert!((560..780).contains(&faults.len()), "{}", faults.len());
         assert!(faults.iter().all(|fault| fault.until_us.is_some_and(|until| until <= 100_000_000 && Some(until) > fault.from_us)));

@@ -14,12 +14,16 @@ pub struct Bundle {
     files: BTreeMap<String, String>,
 }
 
-/// What identifies a campaign, in hexadecimal digits.
+/// What identifies a campaign; hashes are in hexadecimal digits.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Identity {
     /// SHA-256 of the bundle.
     pub program: String,
-    /// SHA-256 of that, the file of the campaign, its seed and [`MEANING`].
+    /// SHA-256 of the file of the campaign.
+    pub spec: String,
+    /// The seed.
+    pub seed: u64,
+    /// SHA-256 of the bundle, the file of the campaign, the seed and [`MEANING`].
     pub campaign: String,
 }
 
@@ -47,8 +51,13 @@ impl Bundle {
         all.update(normal(spec));
         all.update(seed.to_be_bytes());
         all.update(MEANING.to_be_bytes());
-        Identity { program: hex(&program), campaign: hex(&all.finalize()) }
+        Identity { program: hex(&program), spec: of_text(spec), seed, campaign: hex(&all.finalize()) }
     }
+}
+
+/// What identifies a file of a campaign: SHA-256 of its text, whatever its line ends are.
+pub fn of_text(text: &str) -> String {
+    hex(&Sha256::digest(normal(text)))
 }
 
 fn normal(text: &str) -> String {

@@ -117,7 +117,8 @@ impl Gauge {
     }
 
     fn result(self, of: Of) -> Option<f64> {
-        self.value.map(|value| if of == Of::Mean { value / self.scans } else { value })
+        // What is no finite number is no result.
+        self.value.map(|value| if of == Of::Mean { value / self.scans } else { value }).filter(|value| value.is_finite())
     }
 }
 

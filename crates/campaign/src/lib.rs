@@ -3,13 +3,18 @@
 
 pub mod disturbed;
 pub mod draws;
+pub mod exact;
 pub mod fuzz;
 pub mod given;
+pub mod histogram;
 pub mod identity;
 pub mod judge;
 pub mod numbering;
 pub mod parse;
+pub mod part;
+pub mod ranges;
 pub mod row;
+pub mod shrinking;
 pub mod slots;
 pub mod spec;
 pub mod tally;

@@ -54,10 +54,10 @@ pub struct Row {
     pub virtual_us: u64,
     /// 64 bits over the outputs that changed, with their scans.
     pub trace_hash: u64,
-    /// What was swept and drawn, in the order of the file: what walks has no value.
-    pub parameters: Vec<Option<Value>>,
-    /// How signals of plants failed.
-    pub faults: Vec<String>,
+    /// What was swept and drawn once, in the order of the file.
+    pub parameters: Vec<Value>,
+    /// How the signals of plants failed, in the order of the rows of the file: `drift=0.2@61.3s..80s`.
+    pub faults: Vec<Option<String>>,
     /// What was measured, in the order of the file.
     pub measures: Vec<Option<f64>>,
     /// Of each property whether it was true at least once, where that is asked.

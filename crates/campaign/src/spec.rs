@@ -64,10 +64,39 @@ pub struct Spec {
 }
 
 impl Spec {
+    /// What has one value in each scenario: the names of sweeps and of draws that do not walk, with their units, and the values that are possible.
+    pub fn parameters(&self) -> impl Iterator<Item = Parameter<'_>> {
+        let swept = self.sweep.iter().map(|Sweep { name, values, unit }| Parameter {
+            name: &name.text,
+            values: Some(values),
+            unit: unit.as_deref(),
+        });
+        let drawn = self.draw.iter().filter_map(|Draw { name, drawn, unit }| {
+            let values = match drawn {
+                Drawn::Once(_) => None,
+                Drawn::Choice(values) => Some(values),
+                Drawn::Walk(_) => return None,
+            };
+            Some(Parameter { name: &name.text, values, unit: unit.as_deref() })
+        });
+        swept.chain(drawn)
+    }
+
     /// Where what is said of all of it stands.
     pub fn span(&self) -> Span {
         self.programs.first().map_or(Span::new(FileId(0), 0, 0), |program| program.span)
     }
+}
+
+/// What has one value in each scenario.
+#[derive(Clone, Copy, Debug)]
+pub struct Parameter<'s> {
+    /// Its name.
+    pub name: &'s str,
+    /// The values that are possible; none = any number.
+    pub values: Option<&'s Vec<Value>>,
+    /// Its unit, for reports.
+    pub unit: Option<&'s str>,
 }
 
 /// Which scenarios have a row in the result.
@@ -77,6 +106,20 @@ pub enum Keep {
     All,
     /// Those that did not pass.
     Failures,
+}
+
+impl Keep {
+    const ALL: [(Self, &'static str); 2] = [(Self::All, "all"), (Self::Failures, "failures")];
+
+    /// The word of files.
+    pub fn word(self) -> &'static str {
+        Self::ALL.iter().find(|(keep, _)| *keep == self).map_or("", |(_, word)| word)
+    }
+
+    /// What a word means.
+    pub fn from_word(word: &str) -> Option<Self> {
+        Self::ALL.iter().find(|(_, known)| *known == word).map(|&(keep, _)| keep)
+    }
 }
 
 /// `campaign.replay` and what belongs to it.

@@ -775,6 +775,16 @@ problems! {
         "ein Programm, das eine Kampagne nicht verwenden kann" "Den Pfad in der Datei der Kampagne berichtigen; er zählt vom Ordner dieser Datei an.";
     P7164 Warning "an expression of a campaign that names nothing" "Write what the program does into it; a property of constants holds, or breaks, whatever happens."
         "ein Ausdruck einer Kampagne, der nichts benennt" "Hineinschreiben, was das Programm tut; eine Eigenschaft aus Konstanten gilt oder bricht, was auch geschieht.";
+    P7175 Error "what a run of a campaign left is there" "Go on with it by `--resume`, or remove the folder."
+        "was ein Lauf einer Kampagne hinterließ, ist noch da" "Mit `--resume` damit fortfahren oder den Ordner löschen.";
+    P7176 Error "a result of another campaign" "Use only results of the same programs, file and seed."
+        "ein Ergebnis einer anderen Kampagne" "Nur Ergebnisse derselben Programme, derselben Datei und desselben Startwerts verwenden.";
+    P7177 Error "two runs of a campaign on one ledger" "Wait until the other run has ended, or write to another file."
+        "zwei Läufe einer Kampagne mit demselben Ergebnis" "Warten, bis der andere Lauf zu Ende ist, oder in eine andere Datei schreiben.";
+    P7178 Error "a result of a campaign that cannot be read" "Name a Parquet file that `sieben campaign run --out` or `merge` wrote."
+        "ein Ergebnis einer Kampagne, das nicht gelesen werden kann" "Eine Parquet-Datei nennen, die `sieben campaign run --out` oder `merge` geschrieben hat.";
+    P7179 Error "a scenario that the engines do not agree on" "This is our mistake: please report the scenario and the program."
+        "ein Szenario, bei dem sich die Ausführungen unterscheiden" "Das ist unser Fehler: bitte das Szenario und das Programm melden.";
 
     // 8xxx run time
     P8001 Error "the CPU went to STOP" "Read the diagnostic buffer: it names the block and the statement."

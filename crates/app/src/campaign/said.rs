@@ -5,10 +5,11 @@ use std::time::Duration;
 
 use serde_json::{Value as Json, json};
 use sieben_campaign::row::{Row, Verdict};
-use sieben_campaign::spec::{PropertyKind, Spec, Value};
-use sieben_campaign::tally::Tally;
+use sieben_campaign::spec::{PropertyKind, Value};
 use sieben_workspace::campaign::Campaign;
 use sieben_workspace::duration;
+
+use super::collected::Collected;
 
 /// A run that has ended.
 pub(crate) struct Run<'a> {
@@ -21,7 +22,7 @@ pub(crate) struct Run<'a> {
     /// How many scenarios were asked for.
     pub(crate) asked: u64,
     /// What came of those that were run.
-    pub(crate) tally: &'a Tally,
+    pub(crate) collected: &'a Collected,
     /// How long it took.
     pub(crate) took: Duration,
 }
@@ -59,7 +60,8 @@ pub(crate) fn value(value: &Value) -> String {
 impl Run<'_> {
     /// For people.
     pub(crate) fn text(&self) -> String {
-        let Self { campaign, name, tally, took, .. } = self;
+        let Self { campaign, name, took, .. } = self;
+        let tally = &self.collected.tally;
         let spec = &campaign.spec;
         let run = if tally.run() == self.asked { scenarios(self.asked) } else { format!("{} of {}", tally.run(), scenarios(self.asked)) };
         let mut text = format!("{name}: {run}, {} in {}\n", several(tally.scans, "scan"), duration::show(rounded(*took)));
@@ -84,13 +86,13 @@ impl Run<'_> {
                     "{} (scenario {at}) to {} (scenario {most_at}), mean {}",
                     with_unit(least, unit),
                     with_unit(most, unit),
-                    with_unit(of.sum / of.count.max(1) as f64, unit)
+                    with_unit(of.mean().unwrap_or(f64::NAN), unit)
                 ),
                 _ => "no value".to_owned(),
             };
             let _ = writeln!(text, "  {:10}  {:names$}  {said}", measure.of.word(), measure.name);
         }
-        if let Some(first) = &tally.first {
+        if let Some(first) = &self.collected.first {
             text.push_str(&self.first(first));
         }
         let others = Verdict::ALL.iter().filter(|&&verdict| verdict != Verdict::Pass && tally.of(verdict) > 0);
@@ -120,15 +122,14 @@ impl Run<'_> {
             let shown = if set.is_empty() { "none".to_owned() } else { set.join(", ") };
             let _ = writeln!(text, "  inputs that are 1: {shown}");
         }
-        let names = spec.sweep.iter().map(|sweep| (&sweep.name, &sweep.unit)).chain(spec.draw.iter().map(|draw| (&draw.name, &draw.unit)));
-        for ((name, unit), given) in names.zip(&row.parameters) {
-            if let Some(given) = given {
-                let unit = unit.as_ref().map_or(String::new(), |unit| format!(" {unit}"));
-                let _ = writeln!(text, "  {} = {}{unit}", name.text, value(given));
-            }
+        for (parameter, given) in spec.parameters().zip(&row.parameters) {
+            let unit = parameter.unit.map_or(String::new(), |unit| format!(" {unit}"));
+            let _ = writeln!(text, "  {} = {}{unit}", parameter.name, value(given));
         }
-        for fault in &row.faults {
-            let _ = writeln!(text, "  fault {fault}");
+        for (fault, how) in spec.faults.iter().zip(&row.faults) {
+            if let Some(how) = how {
+                let _ = writeln!(text, "  fault {} {how}", fault.signal.text);
+            }
         }
         let _ = writeln!(text, "  `sieben campaign show {} {}` prints it as a scenario", self.file, row.scenario);
         text
@@ -136,9 +137,9 @@ impl Run<'_> {
 
     /// For programs: the object that a run ends with.
     pub(crate) fn json(&self) -> Json {
-        let tally = self.tally;
+        let tally = &self.collected.tally;
         let spec = &self.campaign.spec;
-        let first = tally.first.as_ref().map(|row| {
+        let first = self.collected.first.as_ref().map(|row| {
             json!({
                 "scenario": row.scenario,
                 "property": row.property.and_then(|index| spec.properties.get(index)).map(|property| &property.name),
@@ -159,7 +160,7 @@ impl Run<'_> {
                 "name": measure.name, "of": measure.of.word(), "unit": measure.unit, "count": of.count,
                 "min": of.least.map(|(value, _)| value), "min_scenario": of.least.map(|(_, at)| at),
                 "max": of.most.map(|(value, _)| value), "max_scenario": of.most.map(|(_, at)| at),
-                "mean": (of.count > 0).then(|| of.sum / of.count as f64),
+                "mean": of.mean(),
             })
         };
         let mut object = json!({
@@ -169,12 +170,12 @@ impl Run<'_> {
             "seed": spec.seed,
             "scenarios": self.asked,
             "run": tally.run(),
-            "resumed": 0,
+            "resumed": self.collected.resumed,
         });
         for verdict in Verdict::ALL {
             object[verdict.word()] = tally.of(verdict).into();
         }
-        object["duplicates"] = 0.into();
+        object["duplicates"] = self.collected.duplicates.into();
         object["result_hash"] = format!("{:016x}", tally.hash).into();
         object["seconds"] = self.took.as_secs_f64().into();
         object["first_failure"] = first.into();
@@ -199,15 +200,17 @@ fn ended_as(verdict: Verdict) -> &'static str {
 }
 
 /// What `list` says of a column.
-pub(crate) fn columns(spec: &Spec) -> Vec<(String, String)> {
-    let mut all = Vec::new();
+pub(crate) fn columns(campaign: &Campaign) -> Vec<(String, String)> {
+    let spec = &campaign.spec;
+    let mut all: Vec<(String, String)> = campaign.bits().map(|name| (format!("p.{name}"), "0 and 1".to_owned())).collect();
     for sweep in &spec.sweep {
         let ends = sweep.values.first().zip(sweep.values.last());
         let of = ends.map_or(String::new(), |(first, last)| format!(", {} to {}", value(first), value(last)));
         all.push((format!("p.{}", sweep.name.text), format!("{}{of}", several(sweep.values.len() as u64, "value"))));
     }
-    all.extend(spec.draw.iter().map(|draw| (format!("p.{}", draw.name.text), "drawn".to_owned())));
-    all.extend(spec.faults.iter().map(|row| (format!("f.{}", row.signal.text), format!("with a chance of {}", number(row.chance)))));
+    let drawn = spec.parameters().skip(spec.sweep.len());
+    all.extend(drawn.map(|draw| (format!("p.{}", draw.name), "drawn".to_owned())));
+    all.extend(spec.faults.iter().map(|row| (format!("f.{}", row.stream), format!("with a chance of {}", number(row.chance)))));
     all.extend(spec.measures.iter().map(|measure| (format!("m.{}", measure.name), measure.of.word().to_owned())));
     all
 }

@@ -514,6 +514,18 @@ pub(super) const SENTENCES: &[Row] = &[
     ("Print lines of progress and the result as JSON", "Zeilen zum Fortschritt und das Ergebnis als JSON ausgeben"),
     ("Print no progress", "Keinen Fortschritt ausgeben"),
     ("The number of the scenario, from 0", "Die Nummer des Szenarios, ab 0"),
+    (
+        "Keep what comes of it in this Parquet file; while it runs, in the folder FILE.part",
+        "Was herauskommt, in dieser Parquet-Datei aufbewahren; während es läuft, im Ordner DATEI.part",
+    ),
+    (
+        "Go on with what an earlier run left in FILE.part; without it, begin",
+        "Mit dem fortfahren, was ein früherer Lauf in DATEI.part hinterließ; ist nichts da, beginnen",
+    ),
+    ("Make one result of the results of parts of a campaign", "Aus den Ergebnissen von Teilen einer Kampagne eines machen"),
+    ("The results of the parts", "Die Ergebnisse der Teile"),
+    ("Write the result to this file", "Das Ergebnis in diese Datei schreiben"),
+    ("Print the summary as one JSON object", "Die Zusammenfassung als ein JSON-Objekt ausgeben"),
 ];
 
 /// What stands below the arguments: headings, what an example does, paragraphs.
@@ -670,14 +682,23 @@ pub(super) const BELOW: &[Row] = &[
     ("all of it, on all processors", "alles, auf allen Prozessoren"),
     ("the first thousand", "die ersten tausend"),
     ("the failure with the least number", "der Fehlschlag mit der kleinsten Nummer"),
+    ("a row of each scenario, kept as it comes", "eine Zeile je Szenario, aufbewahrt, sobald sie da ist"),
     ("lines of progress, then the result", "Zeilen zum Fortschritt, dann das Ergebnis"),
+    (
+        "The result has the same bytes as that of one run over all scenarios.",
+        "Das Ergebnis hat dieselben Bytes wie das eines einzigen Laufs über alle Szenarien.",
+    ),
+    (
+        "Exit codes: 0 all scenarios are there and all held, 1 a property broke, what has to come sometimes never came, or scenarios are missing, 2 usage or results of different campaigns.",
+        "Exitcodes: 0 alle Szenarien sind da und alles gilt, 1 eine Eigenschaft brach, was manchmal kommen muss, kam nie, oder Szenarien fehlen, 2 Aufruf oder Ergebnisse verschiedener Kampagnen.",
+    ),
     (
         "What comes of it does not depend on threads, engine or machine: a scenario is a function of the program, the file, the seed and its number.",
         "Was herauskommt, hängt nicht von Threads, Engine oder Rechner ab: Ein Szenario ist eine Funktion des Programms, der Datei, des Startwerts und seiner Nummer.",
     ),
     (
-        "Exit codes: 0 all held, 1 a property broke or what has to come sometimes never came, 2 usage, 3 does not compile, 5 the time is used up, 130 Ctrl+C.",
-        "Exitcodes: 0 alles gilt, 1 eine Eigenschaft brach oder was manchmal kommen muss, kam nie, 2 Aufruf, 3 nicht übersetzbar, 5 die Zeit ist aufgebraucht, 130 Strg+C.",
+        "Exit codes: 0 all held, 1 a property broke or what has to come sometimes never came, 2 usage, 3 does not compile, 5 the time is used up, 70 a fault of ours, 130 Ctrl+C (`--resume` goes on after 5 and 130).",
+        "Exitcodes: 0 alles gilt, 1 eine Eigenschaft brach oder was manchmal kommen muss, kam nie, 2 Aufruf, 3 nicht übersetzbar, 5 die Zeit ist aufgebraucht, 70 ein Fehler von uns, 130 Strg+C (nach 5 und 130 geht es mit `--resume` weiter).",
     ),
     // explain, fmt, convert, new
     ("an instruction, in either mnemonic language", "eine Operation, in beiden Mnemoniken"),

@@ -233,13 +233,12 @@ impl Reader<'_> {
 
     fn keep(&mut self, value: &Value<'_>) {
         self.spec.keep = match value.get_ref() {
-            DeValue::String(word) if word == "all" => Some(Keep::All),
-            DeValue::String(word) if word == "failures" => Some(Keep::Failures),
-            _ => {
-                self.wrong(value, "`keep` is `\"all\"` or `\"failures\"`");
-                None
-            }
+            DeValue::String(word) => Keep::from_word(word),
+            _ => None,
         };
+        if self.spec.keep.is_none() {
+            self.wrong(value, "`keep` is `\"all\"` or `\"failures\"`");
+        }
     }
 
     fn state(&mut self, value: &Value<'_>) {

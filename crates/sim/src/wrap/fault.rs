@@ -116,14 +116,18 @@ impl fmt::Display for FaultKind {
     }
 }
 
+impl Fault {
+    /// How the signal fails, and when: `drift=0.2@61.3s..80s`.
+    pub fn how(&self) -> String {
+        let from = self.from_us.map_or_else(String::new, |from| format!("@{}", time_text(from)));
+        let until = self.until_us.map_or_else(String::new, |until| format!("..{}", time_text(until)));
+        format!("{}{from}{until}", self.kind)
+    }
+}
+
 impl fmt::Display for Fault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { module, signal, kind, from_us, until_us } = self;
-        write!(f, "{module}.{signal} {kind}")?;
-        if let Some(from) = from_us {
-            write!(f, "@{}", time_text(*from))?;
-        }
-        until_us.map_or(Ok(()), |until| write!(f, "..{}", time_text(until)))
+        write!(f, "{}.{} {}", self.module, self.signal, self.how())
     }
 }
 

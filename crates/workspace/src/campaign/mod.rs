@@ -5,7 +5,7 @@ mod running;
 pub mod targets;
 pub(crate) mod watching;
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use sieben_campaign::given::Given;
 use sieben_campaign::identity::Identity;
@@ -13,7 +13,7 @@ use sieben_campaign::numbering::Numbering;
 use sieben_campaign::row::Row;
 use sieben_campaign::spec::Spec;
 use sieben_cpu::{Loaded, Settings};
-use sieben_engine::{Engine, Layout, Program};
+use sieben_engine::{Engine, Interpreter, Layout, Program};
 use sieben_model::cpu_type::CpuType;
 use sieben_model::diagnostic::Diagnostic;
 use sieben_sim::names::{Name, Setting};
@@ -49,6 +49,8 @@ pub struct Subject {
     pub build: Build,
     cpu: &'static CpuType,
     loaded: Loaded,
+    /// The same program in the interpreter, once it is asked for.
+    interpreted: OnceLock<Loaded>,
     settings: Settings,
     watching: Watching,
     cycle_us: u64,
@@ -63,6 +65,15 @@ pub struct Subject {
     targets: Vec<Target>,
     /// The bits of `[exhaustive]`.
     bits: Vec<Name>,
+}
+
+/// What runs the program of a scenario.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Way {
+    /// The engine that the campaign was opened with.
+    Chosen,
+    /// The interpreter, which has to come to the same.
+    Interpreted,
 }
 
 /// What makes a program run.
@@ -97,12 +108,22 @@ impl Campaign {
     ///
     /// # Errors
     /// It was given up after so many scans.
-    pub fn run(&self, number: u64, may_go_on: &dyn Fn() -> bool) -> Result<Row, u64> {
-        running::run(self, &self.given(number), may_go_on)
+    pub fn run(&self, number: u64, way: Way, may_go_on: &dyn Fn() -> bool) -> Result<Row, u64> {
+        running::run(self, &self.given(number), way, may_go_on)
     }
 }
 
 impl Subject {
+    fn loaded(&self, way: Way) -> &Loaded {
+        match way {
+            Way::Chosen => &self.loaded,
+            Way::Interpreted => self.interpreted.get_or_init(|| {
+                let program = Arc::new(self.build.compiled.program.clone());
+                Loaded::new(self.cpu, program, |program, layout| Interpreter::load(program, layout))
+            }),
+        }
+    }
+
     /// From one scan to the next, in microseconds.
     pub fn cycle_us(&self) -> u64 {
         self.cycle_us

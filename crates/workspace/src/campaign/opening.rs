@@ -1,7 +1,7 @@
 //! From the file of a campaign and its programs to a campaign that can be run.
 
 use std::path::Path;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 use std::time::Duration;
 
 use sieben_campaign::identity::Bundle;
@@ -199,7 +199,8 @@ fn subject(
     };
     let scans = recording.map_or_else(|| scans(spec, cycle_us), Scenario::scans);
     let settings = controller::settings(&build);
-    Ok(Subject { path, cpu, loaded, settings, watching, cycle_us, scans, rules, set, fixed, targets: all, bits, build })
+    let interpreted = OnceLock::new();
+    Ok(Subject { path, cpu, loaded, interpreted, settings, watching, cycle_us, scans, rules, set, fixed, targets: all, bits, build })
 }
 
 /// How many scans begin before a scenario ends: one, if nothing is said and every combination is tried.

@@ -17,7 +17,7 @@ use sieben_sim::scenario::{Happened, Onlooker, PlantLine, Scenario};
 use sieben_sim::trace::Moment;
 
 use super::targets::{self, Rounding, Target};
-use super::{Campaign, Subject};
+use super::{Campaign, Subject, Way};
 use crate::controller;
 use crate::settings::modules;
 
@@ -59,7 +59,14 @@ impl Subject {
         if let Some(recording) = &campaign.recording {
             return Ok(self.replayed(recording, spec, given, set, at));
         }
-        Ok(Scenario::made(Parts { cycle_us: self.cycle_us, scans: self.scans, plants, set, at, faults: given.faults.clone() }))
+        Ok(Scenario::made(Parts {
+            cycle_us: self.cycle_us,
+            scans: self.scans,
+            plants,
+            set,
+            at,
+            faults: given.faults.iter().map(|(_, fault)| fault.clone()).collect(),
+        }))
     }
 
     /// A recording with its inputs disturbed, and what else is given.
@@ -100,8 +107,8 @@ impl Subject {
     }
 
     /// A CPU in STOP with the plants of a scenario.
-    fn fresh(&self, rack: Rack) -> Cpu {
-        Cpu::new(self.loaded.clone(), rack, self.settings.clone())
+    fn fresh(&self, way: Way, rack: Rack) -> Cpu {
+        Cpu::new(self.loaded(way).clone(), rack, self.settings.clone())
     }
 }
 
@@ -121,11 +128,8 @@ pub(super) fn properties(spec: &Spec) -> Vec<PropertyLine> {
 }
 
 /// Runs a scenario on all programs of a campaign.
-pub(super) fn run(campaign: &Campaign, given: &Given, may_go_on: &dyn Fn() -> bool) -> Result<Row, u64> {
+pub(super) fn run(campaign: &Campaign, given: &Given, way: Way, may_go_on: &dyn Fn() -> bool) -> Result<Row, u64> {
     let spec = &campaign.spec;
-    let parameters = (0..spec.sweep.len() + spec.draw.len())
-        .map(|index| given.values.iter().find(|(of, _)| *of == index).map(|(_, value)| value.clone()))
-        .collect();
     let mut row = Row {
         scenario: given.number,
         seed: given.seed,
@@ -135,8 +139,10 @@ pub(super) fn run(campaign: &Campaign, given: &Given, may_go_on: &dyn Fn() -> bo
         scans: 0,
         virtual_us: 0,
         trace_hash: 0,
-        parameters,
-        faults: given.faults.iter().map(ToString::to_string).collect(),
+        parameters: given.values.iter().map(|(_, value)| value.clone()).collect(),
+        faults: (0..spec.faults.len())
+            .map(|index| given.faults.iter().find(|(row, _)| *row == index).map(|(_, fault)| fault.how()))
+            .collect(),
         measures: vec![None; spec.measures.len()],
         came: vec![false; spec.properties.len()],
         message: None,
@@ -148,7 +154,7 @@ pub(super) fn run(campaign: &Campaign, given: &Given, may_go_on: &dyn Fn() -> bo
             Ok((scenario, rack)) => {
                 let mut rack = Some(rack);
                 // A scenario that code makes has one CPU.
-                let mut fresh = || subject.fresh(rack.take().unwrap_or_else(|| Rack::simulated(subject.cpu)));
+                let mut fresh = || subject.fresh(way, rack.take().unwrap_or_else(|| Rack::simulated(subject.cpu)));
                 scenario.run_with(&subject.build.project.symbols, &subject.rules, &mut fresh, &mut looking);
                 looking.ended();
             }

@@ -1,0 +1,226 @@
+//! `sieben campaign run`: the scenarios of a campaign on threads.
+
+use std::ffi::OsString;
+use std::num::NonZero;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+
+use clap::Args;
+use serde_json::json;
+use sieben_campaign::row::Verdict;
+use sieben_model::problems::Problem;
+
+use super::opened::{Opened, open, wanted};
+use super::progress::Progress;
+use crate::arguments::ProgramArguments;
+use crate::campaign::collected::{Collected, Collector};
+#[cfg(feature = "parquet")]
+use crate::campaign::files::{Kept, Start, Wanted};
+use crate::campaign::said::Run;
+use crate::campaign::{Ended, Orders};
+use crate::duration::duration_argument;
+use crate::engines::EngineArgument;
+use crate::failure::{Exit, Failure};
+use crate::output;
+
+/// Run the scenarios of a campaign.
+#[derive(Args)]
+#[command(after_help = "Examples:\n  \
+  sieben campaign run oven.toml                    all of it, on all processors\n  \
+  sieben campaign run oven.toml --only 0..999      the first thousand\n  \
+  sieben campaign run oven.toml --stop-on first    the failure with the least number\n  \
+  sieben campaign run oven.toml --out r.parquet    a row of each scenario, kept as it comes\n  \
+  sieben campaign run oven.toml --json             lines of progress, then the result\n\n\
+What comes of it does not depend on threads, engine or machine: a scenario is a function of\n\
+the program, the file, the seed and its number.\n\n\
+Exit codes: 0 all held, 1 a property broke or what has to come sometimes never came, 2 usage,\n\
+3 does not compile, 5 the time is used up, 70 a fault of ours, 130 Ctrl+C (`--resume` goes on after 5 and 130).")]
+pub(super) struct Arguments {
+    /// The file of the campaign
+    #[arg(value_name = "SPEC")]
+    spec: PathBuf,
+    #[command(flatten)]
+    program: ProgramArguments,
+    /// Threads [default: one for each processor]
+    #[arg(long, value_name = "N")]
+    workers: Option<NonZero<usize>>,
+    /// Another seed than that of the file
+    #[arg(long, value_name = "N")]
+    seed: Option<u64>,
+    /// Only these scenarios, both of them too
+    #[arg(long, value_name = "A..B", value_parser = numbers)]
+    only: Option<(u64, u64)>,
+    /// Scenarios that a thread takes at once [default: as many as take a quarter of a second]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
+    range: Option<u64>,
+    /// End after the first failure, or after so many; it is always the one with the least number
+    #[arg(long, value_name = "first|never|N", default_value = "never", value_parser = failures)]
+    stop_on: Failures,
+    /// End after so much real time
+    #[arg(long, value_name = "DURATION", value_parser = duration_argument)]
+    budget: Option<Duration>,
+    /// Keep what comes of it in this Parquet file; while it runs, in the folder FILE.part
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+    /// Go on with what an earlier run left in FILE.part; without it, begin
+    #[arg(long, requires = "out")]
+    resume: bool,
+    /// Which engine runs the program
+    #[arg(long, value_name = "ENGINE", default_value = "auto")]
+    engine: EngineArgument,
+    /// Print lines of progress and the result as JSON
+    #[arg(long)]
+    json: bool,
+    /// Print no progress
+    #[arg(long)]
+    quiet: bool,
+}
+
+/// After how many failures a run ends.
+#[derive(Clone, Copy, Debug)]
+struct Failures(Option<u64>);
+
+fn failures(text: &str) -> Result<Failures, String> {
+    match text {
+        "never" => Ok(Failures(None)),
+        "first" => Ok(Failures(Some(1))),
+        text => {
+            let count = text.parse().ok().filter(|&count| count > 0);
+            count.map(|count| Failures(Some(count))).ok_or_else(|| "write `first`, `never`, or a number from 1".to_owned())
+        }
+    }
+}
+
+fn numbers(text: &str) -> Result<(u64, u64), String> {
+    let range = text.split_once("..").and_then(|(from, to)| Some((from.parse().ok()?, to.parse().ok()?)));
+    range.filter(|(from, to)| from <= to).ok_or_else(|| "write the first and the last number: `0..999`".to_owned())
+}
+
+/// The scenario at which the process aborts, as if it were killed: for tests.
+const ABORT: &str = "SIEBEN_CAMPAIGN_ABORT";
+
+/// Runs them.
+pub(super) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
+    let opened = match open(&arguments.spec, &arguments.program, arguments.seed, arguments.engine, arguments.json)? {
+        Ok(opened) => opened,
+        Err(exit) => return Ok(exit),
+    };
+    let numbers = wanted(&opened.campaign, arguments.only)?;
+    let cancelled = Arc::new(AtomicBool::new(false));
+    let cancel = Arc::clone(&cancelled);
+    // Without the handler Ctrl+C ends the process, which loses nothing but what is under way.
+    let _ = ctrlc::set_handler(move || cancel.store(true, Ordering::Relaxed));
+    let orders = Orders {
+        workers: arguments.workers.or_else(|| std::thread::available_parallelism().ok()).unwrap_or(NonZero::<usize>::MIN),
+        range: arguments.range,
+        stop_after: arguments.stop_on.0,
+        budget: arguments.budget,
+        checked: arguments.engine != EngineArgument::Interpreter,
+        abort: std::env::var(ABORT).ok().and_then(|number| number.parse().ok()),
+        cancelled: &cancelled,
+    };
+    let mut running = Running { arguments, opened: &opened, asked: numbers.end - numbers.start, begun: Instant::now() };
+    match &arguments.out {
+        None => {
+            let mut collector = Collector::new(&opened.campaign, numbers, Vec::new(), None);
+            let ended = running.scenarios(&orders, &mut collector)?;
+            running.end(&collector.into_collected(), ended)
+        }
+        Some(out) => running.kept(out, numbers, &orders),
+    }
+}
+
+/// A run under way.
+struct Running<'a> {
+    arguments: &'a Arguments,
+    opened: &'a Opened,
+    asked: u64,
+    begun: Instant,
+}
+
+impl Running<'_> {
+    fn scenarios(&mut self, orders: &Orders<'_>, collector: &mut Collector<'_>) -> Result<Ended, Failure> {
+        let mut progress = Progress::new(self.asked, self.arguments.json, self.arguments.quiet);
+        let ended = crate::campaign::run(&self.opened.campaign, orders, collector, &mut |collected| progress.tell(collected));
+        progress.end();
+        ended
+    }
+
+    #[cfg(feature = "parquet")]
+    fn kept(&mut self, out: &std::path::Path, numbers: std::ops::Range<u64>, orders: &Orders<'_>) -> Result<Exit, Failure> {
+        let campaign = &self.opened.campaign;
+        let wanted =
+            Wanted { result: out, resume: self.arguments.resume, numbers: numbers.clone(), counts_failures: orders.stop_after.is_some() };
+        let (mut kept, left) = match Kept::open(&wanted, campaign)? {
+            Start::Whole(collected) => return self.end(&collected, Ended::Whole),
+            Start::Run(kept, left) => (kept, left),
+        };
+        let mut collector = Collector::new(campaign, numbers, left, Some(kept.store()));
+        let ended = self.scenarios(orders, &mut collector)?;
+        let collected = collector.into_collected();
+        if matches!(ended, Ended::Whole | Ended::Failures) {
+            let how = json!({
+                "version": env!("CARGO_PKG_VERSION"), "seconds": self.begun.elapsed().as_secs_f64(), "workers": orders.workers,
+                "resumed": collected.resumed, "duplicates": collected.duplicates,
+            });
+            kept.finish(campaign, &self.opened.name, &self.opened.text, &collected, &how)?;
+        }
+        self.end(&collected, ended)
+    }
+
+    #[cfg(not(feature = "parquet"))]
+    fn kept(&mut self, _: &std::path::Path, _: std::ops::Range<u64>, _: &Orders<'_>) -> Result<Exit, Failure> {
+        Err(super::without_files())
+    }
+
+    /// Says what came of it.
+    fn end(&self, collected: &Collected, ended: Ended) -> Result<Exit, Failure> {
+        let Self { arguments, opened, asked, begun } = self;
+        let (campaign, tally) = (&opened.campaign, &collected.tally);
+        let file = arguments.spec.display().to_string();
+        if let Ended::Differs(number) = ended {
+            let told = format!("scenario {number} comes to something else in the interpreter than in machine code");
+            let help = format!("this is our mistake; please report it with `sieben campaign show {file} {number}` and the program");
+            return Err(Failure { exit: Exit::Internal, ..Failure::usage(Problem::P7179, told).help(help) });
+        }
+        let run = Run { campaign, name: &opened.name, file: &file, asked: *asked, collected, took: begun.elapsed() };
+        match arguments.json {
+            true => output::print_json(&run.json(), false)?,
+            false => output::print(&run.text())?,
+        }
+        let goes_on = matches!(ended, Ended::Cancelled | Ended::Budget);
+        if goes_on && arguments.out.is_some() {
+            output::message(&format!("`{}` goes on with it\n", resuming(std::env::args_os().collect())));
+        }
+        Ok(match ended {
+            Ended::Cancelled => Exit::Interrupted,
+            Ended::Budget => Exit::BudgetUsedUp,
+            Ended::Differs(_) => Exit::Internal,
+            Ended::Whole | Ended::Failures => {
+                // What did not come in a part may come in another one.
+                let missing = arguments.only.is_none() && ended == Ended::Whole && tally.never_came(&campaign.spec).next().is_some();
+                if tally.of(Verdict::Pass) == tally.run() && !missing { Exit::Success } else { Exit::CheckFailed }
+            }
+        })
+    }
+}
+
+/// The command that goes on with what this one left.
+fn resuming(arguments: Vec<OsString>) -> String {
+    let mut words: Vec<String> = std::iter::once("sieben".to_owned())
+        .chain(arguments.iter().skip(1).map(|argument| argument.to_string_lossy().into_owned()))
+        .map(|word| {
+            if word.contains(|c: char| c.is_whitespace() || "'\"$`\\*?;&|<>()".contains(c)) {
+                format!("'{}'", word.replace('\'', "'\\''"))
+            } else {
+                word
+            }
+        })
+        .collect();
+    if !words.iter().any(|word| word == "--resume") {
+        words.push("--resume".to_owned());
+    }
+    words.join(" ")
+}
