@@ -16,6 +16,7 @@ pub mod exchange;
 pub mod failed;
 pub mod finding;
 pub mod gate;
+mod last_change;
 pub mod local_check;
 pub mod metrics;
 pub mod names;

@@ -1,6 +1,7 @@
 //! What is said about a campaign: how many scenarios it has, and what they came to.
 
 use std::fmt::Write as _;
+use std::path::PathBuf;
 use std::time::Duration;
 
 use serde_json::{Value as Json, json};
@@ -23,6 +24,8 @@ pub(crate) struct Run<'a> {
     pub(crate) asked: u64,
     /// What came of those that were run.
     pub(crate) collected: &'a Collected,
+    /// Scenarios that failed and were written down, with their files.
+    pub(crate) written: &'a [(u64, PathBuf)],
     /// How long it took.
     pub(crate) took: Duration,
 }
@@ -95,6 +98,9 @@ impl Run<'_> {
         if let Some(first) = &self.collected.first {
             text.push_str(&self.first(first));
         }
+        for (number, path) in self.written {
+            let _ = writeln!(text, "  `{}` is scenario {number}, made small: `sieben test` runs it from now on", path.display());
+        }
         let others = Verdict::ALL.iter().filter(|&&verdict| verdict != Verdict::Pass && tally.of(verdict) > 0);
         let counts: String = others.map(|&verdict| format!(", {} {}", tally.of(verdict), ended_as(verdict))).collect();
         let _ = writeln!(text, "{} passed{counts}", tally.of(Verdict::Pass));
@@ -147,7 +153,7 @@ impl Run<'_> {
                 "scan": row.at.map(|at| at.scan),
                 "at_us": row.at.map(|at| at.time_us),
                 "message": row.message,
-                "file": null,
+                "file": self.written.iter().find(|(number, _)| *number == row.scenario).map(|(_, path)| path.display().to_string()),
             })
         });
         let property = |(index, of): (usize, &sieben_campaign::tally::PropertyTally)| {

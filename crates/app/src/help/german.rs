@@ -522,6 +522,10 @@ pub(super) const SENTENCES: &[Row] = &[
         "Go on with what an earlier run left in FILE.part; without it, begin",
         "Mit dem fortfahren, was ein früherer Lauf in DATEI.part hinterließ; ist nichts da, beginnen",
     ),
+    (
+        "Make a scenario that fails as small as it fails in the same way",
+        "Ein Szenario, das fehlschlägt, so klein machen, wie es noch auf dieselbe Weise fehlschlägt",
+    ),
     ("Make one result of the results of parts of a campaign", "Aus den Ergebnissen von Teilen einer Kampagne eines machen"),
     ("The results of the parts", "Die Ergebnisse der Teile"),
     ("Write the result to this file", "Das Ergebnis in diese Datei schreiben"),
@@ -682,6 +686,16 @@ pub(super) const BELOW: &[Row] = &[
     ("all of it, on all processors", "alles, auf allen Prozessoren"),
     ("the first thousand", "die ersten tausend"),
     ("the failure with the least number", "der Fehlschlag mit der kleinsten Nummer"),
+    ("print the small scenario", "das kleine Szenario ausgeben"),
+    ("a file for `sieben test`, `trace` and `step`", "eine Datei für `sieben test`, `trace` und `step`"),
+    (
+        "It breaks the same property, and the same statement wrote what the property says last. Faults go first, then events, then parameters; then times get shorter and numbers rounder.",
+        "Es bricht dieselbe Eigenschaft, und dieselbe Anweisung schrieb zuletzt, wovon sie spricht. Zuerst verschwinden Fehler, dann Ereignisse, dann Parameter; danach werden Zeiten kürzer und Zahlen runder.",
+    ),
+    (
+        "Exit codes: 0 ok, 2 usage, or the scenario does not fail, 3 does not compile.",
+        "Exitcodes: 0 in Ordnung, 2 Aufruf, oder das Szenario schlägt nicht fehl, 3 nicht übersetzbar.",
+    ),
     ("a row of each scenario, kept as it comes", "eine Zeile je Szenario, aufbewahrt, sobald sie da ist"),
     ("lines of progress, then the result", "Zeilen zum Fortschritt, dann das Ergebnis"),
     (

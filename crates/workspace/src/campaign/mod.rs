@@ -1,7 +1,10 @@
 //! Campaigns of a project: its programs with the expressions of the campaign compiled in, and the run of one scenario by its number.
 
+mod case;
+mod closely;
 mod opening;
 mod running;
+mod shrinking;
 pub mod targets;
 pub(crate) mod watching;
 
@@ -23,7 +26,9 @@ use crate::project::Build;
 use targets::Target;
 use watching::Watching;
 
+pub use closely::Found;
 pub use opening::{Failed, Files, open};
+pub use shrinking::Smaller;
 
 /// A campaign, ready to run: any number of threads run scenarios of it.
 pub struct Campaign {

@@ -24,6 +24,15 @@ use crate::settings::modules;
 impl Subject {
     /// The scenario that is made of what is given.
     pub(super) fn scenario(&self, campaign: &Campaign, given: &Given) -> Result<Scenario, String> {
+        let parts = self.parts(campaign, given)?;
+        Ok(match &campaign.recording {
+            Some(recording) => self.replayed(recording, &campaign.spec, given, parts),
+            None => Scenario::made(parts),
+        })
+    }
+
+    /// What a scenario consists of beside its recording.
+    pub(super) fn parts(&self, campaign: &Campaign, given: &Given) -> Result<Parts, String> {
         let spec = &campaign.spec;
         let mut set = self.set.clone();
         let mut plants = self.plants(given.seed);
@@ -56,21 +65,27 @@ impl Subject {
                 at.push((*time, targets::setting(name, value, Rounding::Nearest)?));
             }
         }
-        if let Some(recording) = &campaign.recording {
-            return Ok(self.replayed(recording, spec, given, set, at));
-        }
-        Ok(Scenario::made(Parts {
+        Ok(Parts {
             cycle_us: self.cycle_us,
             scans: self.scans,
             plants,
             set,
             at,
             faults: given.faults.iter().map(|(_, fault)| fault.clone()).collect(),
-        }))
+        })
     }
 
     /// A recording with its inputs disturbed, and what else is given.
-    fn replayed(&self, recording: &Scenario, spec: &Spec, given: &Given, set: Vec<Setting>, at: Vec<(u64, Setting)>) -> Scenario {
+    fn replayed(&self, recording: &Scenario, spec: &Spec, given: &Given, parts: Parts) -> Scenario {
+        let mut timed = self.moved(recording, spec, given);
+        let at = parts.at.into_iter();
+        timed.extend(at.map(|(time_us, setting)| Timed { time_us, name: setting.name.text().to_owned(), value: setting.text }));
+        timed.sort_by_key(|one| one.time_us);
+        recording.with_timed(parts.set, timed)
+    }
+
+    /// The inputs of a recording, disturbed.
+    pub(super) fn moved(&self, recording: &Scenario, spec: &Spec, given: &Given) -> Vec<Timed> {
         let width = |name: &str| {
             let parsed = Name::parse(name, &self.build.project.symbols, &self.build.compiled.program);
             match parsed.map_or(16, |name| name.item().width()) {
@@ -79,13 +94,10 @@ impl Subject {
             }
         };
         let recorded = recording.timed();
-        let mut timed = match &spec.disturb {
+        match &spec.disturb {
             Some(disturb) => disturbed(&recorded, disturb, given.seed, &width),
             None => recorded,
-        };
-        timed.extend(at.into_iter().map(|(time_us, setting)| Timed { time_us, name: setting.name.text().to_owned(), value: setting.text }));
-        timed.sort_by_key(|one| one.time_us);
-        recording.with_timed(set, timed)
+        }
     }
 
     /// The plants, each with the seed that it has in the scenario.
@@ -107,7 +119,7 @@ impl Subject {
     }
 
     /// A CPU in STOP with the plants of a scenario.
-    fn fresh(&self, way: Way, rack: Rack) -> Cpu {
+    pub(super) fn fresh(&self, way: Way, rack: Rack) -> Cpu {
         Cpu::new(self.loaded(way).clone(), rack, self.settings.clone())
     }
 }
@@ -186,33 +198,39 @@ pub(super) fn run(campaign: &Campaign, given: &Given, way: Way, may_go_on: &dyn 
 /// The scenario with the modules that it runs with.
 fn scenario(campaign: &Campaign, subject: &Subject, given: &Given) -> Result<(Scenario, Rack), String> {
     let scenario = subject.scenario(campaign, given)?;
+    let rack = rack(campaign, subject, &scenario)?;
+    Ok((scenario, rack))
+}
+
+/// The modules that a scenario runs with.
+pub(super) fn rack(campaign: &Campaign, subject: &Subject, scenario: &Scenario) -> Result<Rack, String> {
     if campaign.recording.is_some() {
-        return Ok((scenario, Rack::simulated(subject.cpu)));
+        return Ok(Rack::simulated(subject.cpu));
     }
     let modules = modules::with_plants(&subject.build.project.settings.modules, scenario.plants())?;
-    Ok((scenario, modules::rack(&modules, subject.cpu)))
+    Ok(modules::rack(&modules, subject.cpu))
 }
 
 /// Whether it may go on is asked every so many scans.
 const ASKED_EVERY: u64 = 1_000;
 
 /// How a scenario ended, with the property that did not hold and what is to be said.
-type End = (Verdict, Option<Broken>, Option<String>);
+pub(super) type End = (Verdict, Option<Broken>, Option<String>);
 
 /// Looks on while a scenario runs.
-struct Looking<'s> {
+pub(super) struct Looking<'s> {
     subject: &'s Subject,
     judge: Judge<'s>,
     values: Vec<f64>,
     outputs: Vec<u8>,
     hash: u64,
-    scans: u64,
-    last: Option<Moment>,
-    end: Option<End>,
+    pub(super) scans: u64,
+    pub(super) last: Option<Moment>,
+    pub(super) end: Option<End>,
     may_go_on: &'s dyn Fn() -> bool,
-    given_up: bool,
+    pub(super) given_up: bool,
     /// Where it differs from the recording.
-    differs: Option<Moment>,
+    pub(super) differs: Option<Moment>,
     /// What the program before this one came to, scan by scan, and what this one does.
     before: Option<Vec<f64>>,
     kept: Option<Vec<f64>>,
@@ -220,7 +238,13 @@ struct Looking<'s> {
 }
 
 impl<'s> Looking<'s> {
-    fn new(spec: &'s Spec, subject: &'s Subject, before: Option<Vec<f64>>, keeps: bool, may_go_on: &'s dyn Fn() -> bool) -> Self {
+    pub(super) fn new(
+        spec: &'s Spec,
+        subject: &'s Subject,
+        before: Option<Vec<f64>>,
+        keeps: bool,
+        may_go_on: &'s dyn Fn() -> bool,
+    ) -> Self {
         let slots = slots::of_properties(spec).into_iter().enumerate();
         let is_same = |(index, _): &(usize, usize)| spec.properties.get(*index).is_some_and(|property| property.kind == PropertyKind::Same);
         let same: Vec<(usize, usize)> = slots.filter(is_same).collect();
@@ -293,7 +317,7 @@ impl<'s> Looking<'s> {
         self.outputs.copy_from_slice(outputs);
     }
 
-    fn ended(&mut self) {
+    pub(super) fn ended(&mut self) {
         if self.end.is_none()
             && let Some(broken) = self.judge.ended(&self.values)
         {

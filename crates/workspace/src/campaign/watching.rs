@@ -135,8 +135,7 @@ fn statements(slot: &Slot<'_>) -> Option<Diagnostic> {
 pub(crate) fn constants(spec: &Spec) -> Vec<Diagnostic> {
     let names_nothing = |slot: &Slot<'_>| {
         let text = &slot.expression.text;
-        let mut words = text.split(|c: char| !c.is_alphanumeric() && !matches!(c, '_' | '#' | '"' | '%' | '.'));
-        !words.any(|word| {
+        !words(text).iter().any(|word| {
             let is_constant = word.contains('#') || CONSTANT_WORDS.iter().any(|known| known.eq_ignore_ascii_case(word));
             !is_constant && word.starts_with(|c: char| c.is_alphabetic() || matches!(c, '_' | '"' | '%'))
         })
@@ -146,6 +145,27 @@ pub(crate) fn constants(spec: &Spec) -> Vec<Diagnostic> {
         Diagnostic::new(Problem::P7164, slot.expression.span, message)
     };
     slots(spec).iter().filter(|slot| names_nothing(slot)).map(message).collect()
+}
+
+/// The words of an expression: names, constants, functions.
+pub(super) fn words(expression: &str) -> Vec<&str> {
+    let mut words = Vec::new();
+    let mut start = None;
+    let mut quoted = false;
+    for (at, c) in expression.char_indices() {
+        quoted ^= c == '"';
+        let is_part = quoted || c.is_alphanumeric() || matches!(c, '_' | '#' | '"' | '%' | '.' | '[' | ']');
+        match (is_part, start) {
+            (true, None) => start = Some(at),
+            (false, Some(from)) => {
+                words.push(&expression[from..at]);
+                start = None;
+            }
+            _ => {}
+        }
+    }
+    words.extend(start.map(|from| &expression[from..]));
+    words
 }
 
 /// Words of expressions that are no names.

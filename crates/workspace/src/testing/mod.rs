@@ -1,7 +1,6 @@
 //! Tests of programs: what a test is, and what came of it.
 
 mod drawing;
-mod last_change;
 mod properties;
 pub mod report;
 pub mod scenario;

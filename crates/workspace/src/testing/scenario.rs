@@ -19,7 +19,6 @@ use sieben_sim::scenario::{Difference, Happened, Onlooker, Scenario, ScenarioErr
 use sieben_sim::timing_diagram::{Mark, Options};
 use sieben_sim::trace::{Channel, Keep, Memory, Moment, Origin, Recorder, Trace};
 
-use super::last_change;
 use super::properties::{self, Holding};
 use super::{After, Conditions, Outcome, Stopwatch, Verdict, Wrong, drawing};
 use crate::campaign::watching::{Watched, Watching};
@@ -27,6 +26,7 @@ use crate::controller;
 use crate::coverage::{Counting, Looking, looking};
 use crate::duration;
 use crate::failed::{self, Heard};
+use crate::last_change;
 use crate::places::Places;
 use crate::project::{Build, Overrides, Project};
 use crate::refusal::Refusal;

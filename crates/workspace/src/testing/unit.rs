@@ -14,11 +14,11 @@ use sieben_sim::runner::{self, Limits, Watcher, Writers};
 use sieben_sim::timing_diagram;
 use sieben_sim::trace::{Keep, Memory, Origin, Recorder, Trace};
 
-use super::last_change;
 use super::{After, Case, Conditions, Outcome, Stopwatch, Verdict, Wrong, drawing};
 use crate::controller;
 use crate::coverage::{Counting, Looking, looking};
 use crate::duration;
+use crate::last_change;
 use crate::project::{Build, Overrides, Project};
 use crate::refusal::Refusal;
 use crate::schedule;

@@ -6,6 +6,7 @@ mod opened;
 mod progress;
 mod run;
 mod show;
+mod shrink;
 
 use clap::{Args, Subcommand};
 
@@ -26,6 +27,8 @@ enum Verb {
     Run(run::Arguments),
     /// Print one scenario of a campaign as a *.scenario file
     Show(show::Arguments),
+    /// Make a scenario that fails as small as it fails in the same way
+    Shrink(shrink::Arguments),
     /// Make one result of the results of parts of a campaign
     Merge(merge::Arguments),
 }
@@ -36,6 +39,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         Verb::List(arguments) => list::run(arguments),
         Verb::Run(arguments) => run::run(arguments),
         Verb::Show(arguments) => show::run(arguments),
+        Verb::Shrink(arguments) => shrink::run(arguments),
         Verb::Merge(arguments) => merge::run(arguments),
     }
 }

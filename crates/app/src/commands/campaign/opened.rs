@@ -22,6 +22,8 @@ pub(super) struct Opened {
     pub(super) campaign: Campaign,
     /// What it is called.
     pub(super) name: String,
+    /// The folder that its paths count from.
+    pub(super) folder: PathBuf,
     /// Its file.
     pub(super) text: String,
 }
@@ -70,7 +72,7 @@ pub(super) fn open(
     spec.seed = seed.unwrap_or(spec.seed);
     let name = spec.name.clone().unwrap_or_else(|| path.file_stem().unwrap_or_default().to_string_lossy().into_owned());
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).map_or_else(|| PathBuf::from("."), Path::to_path_buf);
-    let around = Around { folder, program };
+    let around = Around { folder: folder.clone(), program };
     let factory = engine.settled().factory(StatusBits::Needed);
     match campaign::open(spec, text, &around, program.overrides()?, &factory) {
         Ok(campaign) => {
@@ -78,7 +80,7 @@ pub(super) fn open(
             if !findings.is_empty() {
                 told(&mut findings, &texts);
             }
-            Ok(Ok(Opened { campaign, name, text: text.to_owned() }))
+            Ok(Ok(Opened { campaign, name, folder, text: text.to_owned() }))
         }
         Err(Failed::Spec(wrong)) => {
             findings.extend(wrong.into_iter().map(Finding::document));

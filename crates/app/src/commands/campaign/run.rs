@@ -16,6 +16,7 @@ use super::opened::{Opened, open, wanted};
 use super::progress::Progress;
 use crate::arguments::ProgramArguments;
 use crate::campaign::collected::{Collected, Collector};
+use crate::campaign::failing;
 #[cfg(feature = "parquet")]
 use crate::campaign::files::{Kept, Start, Wanted};
 use crate::campaign::said::Run;
@@ -121,7 +122,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         abort: std::env::var(ABORT).ok().and_then(|number| number.parse().ok()),
         cancelled: &cancelled,
     };
-    let mut running = Running { arguments, opened: &opened, asked: numbers.end - numbers.start, begun: Instant::now() };
+    let mut running =
+        Running { cancelled: &cancelled, arguments, opened: &opened, asked: numbers.end - numbers.start, begun: Instant::now() };
     match &arguments.out {
         None => {
             let mut collector = Collector::new(&opened.campaign, numbers, Vec::new(), None);
@@ -134,6 +136,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
 
 /// A run under way.
 struct Running<'a> {
+    cancelled: &'a AtomicBool,
     arguments: &'a Arguments,
     opened: &'a Opened,
     asked: u64,
@@ -175,9 +178,20 @@ impl Running<'_> {
         Err(super::without_files())
     }
 
+    /// Makes what failed small, and writes it down.
+    fn failures(&self, collected: &Collected, ended: Ended) -> Result<Vec<(u64, PathBuf)>, Failure> {
+        if ended == Ended::Cancelled {
+            return Ok(Vec::new());
+        }
+        let Opened { campaign, name, folder, .. } = self.opened;
+        let all = failing::all(campaign, collected, &|| self.cancelled.load(Ordering::Relaxed));
+        let paths = failing::write(&all, folder, name, campaign.spec.seed)?;
+        Ok(all.iter().map(|small| small.number).zip(paths).collect())
+    }
+
     /// Says what came of it.
     fn end(&self, collected: &Collected, ended: Ended) -> Result<Exit, Failure> {
-        let Self { arguments, opened, asked, begun } = self;
+        let Self { arguments, opened, asked, begun, .. } = self;
         let (campaign, tally) = (&opened.campaign, &collected.tally);
         let file = arguments.spec.display().to_string();
         if let Ended::Differs(number) = ended {
@@ -185,7 +199,8 @@ impl Running<'_> {
             let help = format!("this is our mistake; please report it with `sieben campaign show {file} {number}` and the program");
             return Err(Failure { exit: Exit::Internal, ..Failure::usage(Problem::P7179, told).help(help) });
         }
-        let run = Run { campaign, name: &opened.name, file: &file, asked: *asked, collected, took: begun.elapsed() };
+        let written = self.failures(collected, ended)?;
+        let run = Run { written: &written, campaign, name: &opened.name, file: &file, asked: *asked, collected, took: begun.elapsed() };
         match arguments.json {
             true => output::print_json(&run.json(), false)?,
             false => output::print(&run.text())?,

@@ -12,7 +12,7 @@ use crate::project::Build;
 const STATEMENT_MAX: usize = 60;
 
 /// One sentence about who changed a variable last; `area` is where it lies.
-pub(super) fn sentence(build: &Build, name: &str, area: Area, written: Option<Written>) -> String {
+pub(crate) fn sentence(build: &Build, name: &str, area: Area, written: Option<Written>) -> String {
     let Some(Written { place, scan, time_us }) = written else {
         return match area {
             Area::Input => format!("`{name}`: an input that no statement writes"),
