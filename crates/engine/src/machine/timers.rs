@@ -21,10 +21,12 @@ pub enum TimerKind {
     OffDelay,
 }
 
-/// One S5 timer. Machine code reaches its fields through their offsets.
+/// One S5 timer. Machine code reaches its fields through their offsets; they are in an order without gaps.
 #[repr(C)]
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Timer {
+    /// CPU clock at the start, in microseconds.
+    pub started_us: u64,
     /// How it was started last.
     pub kind: TimerKind,
     /// Whether the value counts down.
@@ -35,8 +37,6 @@ pub struct Timer {
     pub value: u16,
     /// Time base, 0 to 3: 10 ms, 100 ms, 1 s, 10 s.
     pub base: u8,
-    /// CPU clock at the start, in microseconds.
-    pub started_us: u64,
     /// Edge memory of the start instructions.
     pub start_edge: bool,
     /// Edge memory of FR.
