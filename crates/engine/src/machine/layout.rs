@@ -7,6 +7,7 @@ use sieben_model::address::Area;
 use sieben_model::block::BlockKind;
 use sieben_model::cpu_type::CpuType;
 
+use super::local_need;
 use crate::ir::{Callee, Inst};
 use crate::program::Program;
 
@@ -38,7 +39,7 @@ pub struct Layout {
     pub outputs: Range<usize>,
     /// Bit memory.
     pub bit_memory: Range<usize>,
-    /// Local data of all priority classes.
+    /// Local data of all priority classes, as much of it as the program can use.
     pub local: Range<usize>,
     /// Bytes of it that one priority class may use.
     pub local_class: usize,
@@ -84,7 +85,8 @@ impl Layout {
         // A class is interrupted by one of each organization block at most.
         let blocks = program.code.keys().filter(|block| block.kind == BlockKind::OrganizationBlock).count();
         let classes = if cpu.local_data_shared { 1 } else { blocks.clamp(1, PRIORITY_CLASSES) };
-        let local = place(local_class * classes, at_local);
+        // No more than the program can use: a CPU without it is a third as large.
+        let local = place((local_class * classes).min(local_need::at_most(cpu, program)), at_local);
         place(0, at_data);
         let mut take = |bytes: usize| place(bytes, None);
         let data_blocks = program.data.iter().filter(|(_, db)| !db.unlinked).map(|(&number, db)| (number, take(db.image.len()))).collect();

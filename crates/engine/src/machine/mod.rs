@@ -4,6 +4,7 @@ pub mod counters;
 pub mod data_block_table;
 pub mod known_layout;
 pub mod layout;
+mod local_need;
 pub mod memory;
 pub mod timers;
 
