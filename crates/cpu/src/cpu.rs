@@ -2,6 +2,7 @@
 
 mod access;
 mod background;
+mod bytes;
 mod extension;
 mod from_outside;
 mod interrupting;
@@ -43,6 +44,7 @@ use crate::settings::Settings;
 use crate::start_information::StartInformation;
 use crate::system_state;
 
+pub use bytes::CpuBytes;
 pub use loaded::Loaded;
 pub use online_change::ChangeRefused;
 pub use replay::{NotReplayed, RecordedScan, RecordedStep, Recording, Replayer, Step};

@@ -17,7 +17,7 @@ use crate::listening::{Heard, Listener, Order, Ordered, Orders, Unrepeatable};
 use crate::tape::{Reading, Tape};
 pub use module::IoModule;
 pub use plugging::RackError;
-use plugging::Run;
+use plugging::{Run, owner};
 pub(crate) use recorded::Place;
 pub use simulated::SimulatedModule;
 pub(crate) use snapshot::RackSnapshot;
@@ -27,8 +27,6 @@ pub struct Rack {
     modules: Vec<Box<dyn IoModule>>,
     /// Which of them go on by themselves and may raise interrupts: all but simulated ones.
     lively: Vec<bool>,
-    input_owner: Vec<Option<u16>>,
-    output_owner: Vec<Option<u16>>,
     input_runs: Vec<Run>,
     output_runs: Vec<Run>,
     /// What the CPU has put out; modules see 0 while outputs are disabled.
@@ -84,7 +82,7 @@ impl Rack {
         let length = width.bytes() as usize;
         for (index, into) in bytes[..length].iter_mut().enumerate() {
             let at = byte.checked_add(index as u32)?;
-            let module = &self.modules[usize::from(owner(&self.input_owner, at)?)];
+            let module = &self.modules[owner(&self.input_runs, at)?];
             if !module.answers() {
                 return None;
             }
@@ -112,7 +110,7 @@ impl Rack {
         let bytes = value.to_be_bytes();
         let bytes = &bytes[(4 - length) as usize..];
         let reading = self.ask(|rack| {
-            let answers = |at: u32| owner(&rack.output_owner, at).is_some_and(|module| rack.modules[usize::from(module)].answers());
+            let answers = |at: u32| owner(&rack.output_runs, at).is_some_and(|module| rack.modules[module].answers());
             let taken = (0..length).all(|index| byte.checked_add(index).is_some_and(answers));
             for (index, &value) in (0..length).zip(bytes.iter().filter(|_| taken)) {
                 rack.put(byte + index, value);
@@ -160,9 +158,20 @@ impl Rack {
     pub fn peripheral_output(&self, byte: u32, width: Width) -> Option<u32> {
         (0..width.bytes()).try_fold(0, |value, index| {
             let at = byte.checked_add(index)?;
-            owner(&self.output_owner, at)?;
+            owner(&self.output_runs, at)?;
             Some(value << 8 | u32::from(self.outputs[at as usize]))
         })
+    }
+
+    /// Bytes that modules with a life of their own take, and those of the rack with its simulated modules.
+    pub(crate) fn bytes(&self) -> (usize, usize) {
+        let of_runs = (self.input_runs.capacity() + self.output_runs.capacity()) * size_of::<Run>();
+        let (mut plants, mut own) = (0, self.outputs.capacity() + of_runs);
+        for (module, &lively) in self.modules.iter().zip(&self.lively) {
+            let bytes = size_of_val(&**module) + module.inputs().len();
+            if lively { plants += bytes } else { own += bytes }
+        }
+        (plants, own)
     }
 
     /// What was last put out, all bytes.
@@ -176,9 +185,9 @@ impl Rack {
     }
 
     fn put_input(&mut self, byte: u32, mask: u8, value: u8) -> bool {
-        let Some(index) = owner(&self.input_owner, byte) else { return false };
+        let Some(index) = owner(&self.input_runs, byte) else { return false };
         self.changed = true;
-        let module = &mut self.modules[usize::from(index)];
+        let module = &mut self.modules[index];
         let offset = byte - module.inputs().start;
         module.set_input(offset, mask, value)
     }
@@ -186,7 +195,7 @@ impl Rack {
     /// As [`Self::set_input`], at a time to come: whatever runs at that time or later sees it, what runs before does not.
     /// `false` if no module has the byte.
     pub fn set_input_at(&mut self, at_us: u64, byte: u32, mask: u8, value: u8) -> bool {
-        let there = owner(&self.input_owner, byte).is_some();
+        let there = owner(&self.input_runs, byte).is_some();
         if there {
             self.orders.add(Order { at_us, what: Ordered::Input { byte, mask, value } });
         }
@@ -237,7 +246,7 @@ impl Rack {
 
     /// From now on it is noted what the modules say, beginning with all input bytes that are not 0.
     pub fn listen(&mut self) {
-        let mut inputs = vec![0; self.input_owner.len()];
+        let mut inputs = vec![0; self.outputs.len()];
         self.get_image(&mut inputs, true);
         let mut listener = Listener::new(inputs.len());
         listener.bytes(self.now_us, 0, &inputs);
@@ -286,8 +295,8 @@ impl Rack {
     pub fn set_answering(&mut self, byte: u32, answers: bool) -> bool {
         self.changed = true;
         let reading = self.ask(|rack| {
-            let index = owner(&rack.input_owner, byte).or_else(|| owner(&rack.output_owner, byte));
-            Reading::Could(index.is_some_and(|index| rack.modules[usize::from(index)].set_answering(answers)))
+            let index = owner(&rack.input_runs, byte).or_else(|| owner(&rack.output_runs, byte));
+            Reading::Could(index.is_some_and(|index| rack.modules[index].set_answering(answers)))
         });
         reading == Reading::Could(true)
     }
@@ -316,10 +325,10 @@ impl Rack {
     }
 
     fn put(&mut self, byte: u32, value: u8) {
-        if let Some(index) = owner(&self.output_owner, byte)
+        if let Some(index) = owner(&self.output_runs, byte)
             && self.enabled
         {
-            let module = &mut self.modules[usize::from(index)];
+            let module = &mut self.modules[index];
             let offset = byte - module.outputs().start;
             module.write(offset, &[value]);
             collect(&mut self.alarms, &mut **module);
@@ -333,8 +342,4 @@ const ALARMS_MAX: usize = 1024;
 fn collect(alarms: &mut Vec<Interrupt>, module: &mut dyn IoModule) {
     alarms.extend(module.alarms());
     alarms.truncate(ALARMS_MAX);
-}
-
-fn owner(owners: &[Option<u16>], byte: u32) -> Option<u16> {
-    owners.get(byte as usize).copied().flatten()
 }

@@ -41,8 +41,8 @@ pub mod system_status_list;
 pub use clock::{ClockRefused, DateAndTime, TimeSource};
 pub use communication::{Communication, ProtectionLevel, Requester};
 pub use cpu::{
-    ChangeRefused, Cpu, DataLoss, EndState, Loaded, NotReplayed, RecordedScan, RecordedStep, Recording, Replayer, ScanReport, Snapshot,
-    Step, StopRequest, TestStep,
+    ChangeRefused, Cpu, CpuBytes, DataLoss, EndState, Loaded, NotReplayed, RecordedScan, RecordedStep, Recording, Replayer, ScanReport,
+    Snapshot, Step, StopRequest, TestStep,
 };
 pub use cycle::CycleTimes;
 pub use data_block_change::{DataBlockChange, DataBlockInUse, undeclared};

@@ -74,14 +74,7 @@ pub(super) struct Run {
 impl Rack {
     /// One simulated module at every address: what a program without a configuration runs with.
     pub fn simulated(cpu: &CpuType) -> Self {
-        Self::background(cpu).finish()
-    }
-
-    /// The simulated module, not ready yet.
-    fn background(cpu: &CpuType) -> Self {
-        let mut rack = Self::empty(cpu);
-        rack.claim(Box::new(SimulatedModule::new("simulated", 0..cpu.peripheral)));
-        rack
+        Self::of(cpu, vec![background(cpu)])
     }
 
     /// These modules, and a simulated one at every address that they leave free.
@@ -90,11 +83,7 @@ impl Rack {
     /// Two of them overlap, or one reaches beyond the peripheral area.
     pub fn with_background(cpu: &CpuType, modules: Vec<Box<dyn IoModule>>) -> Result<Self, RackError> {
         Self::check(cpu, &modules)?;
-        let mut rack = Self::background(cpu);
-        for module in modules {
-            rack.claim(module);
-        }
-        Ok(rack.finish())
+        Ok(Self::of(cpu, std::iter::once(background(cpu)).chain(modules).collect()))
     }
 
     /// Only these modules; an access elsewhere is an I/O access error.
@@ -103,22 +92,24 @@ impl Rack {
     /// Two of them overlap, or one reaches beyond the peripheral area.
     pub fn with_only(cpu: &CpuType, modules: Vec<Box<dyn IoModule>>) -> Result<Self, RackError> {
         Self::check(cpu, &modules)?;
-        let mut rack = Self::empty(cpu);
-        for module in modules {
-            rack.claim(module);
-        }
-        Ok(rack.finish())
+        Ok(Self::of(cpu, modules))
     }
 
-    pub(super) fn empty(cpu: &CpuType) -> Self {
+    /// Modules that lie within the peripheral area; where two have the same byte it belongs to the later one.
+    pub(super) fn of(cpu: &CpuType, modules: Vec<Box<dyn IoModule>>) -> Self {
         let size = cpu.peripheral as usize;
+        let [mut input_owner, mut output_owner] = [(); 2].map(|()| vec![None; size]);
+        // There are at most as many modules as bytes, far below 2^16.
+        for (index, module) in (0_u16..).zip(&modules) {
+            let places = |bytes: Range<u32>| bytes.start as usize..(bytes.end as usize).max(bytes.start as usize);
+            input_owner[places(module.inputs())].fill(Some(index));
+            output_owner[places(module.outputs())].fill(Some(index));
+        }
         Self {
-            modules: Vec::new(),
-            lively: Vec::new(),
-            input_owner: vec![None; size],
-            output_owner: vec![None; size],
-            input_runs: Vec::new(),
-            output_runs: Vec::new(),
+            lively: modules.iter().map(|module| !is_simulated(&**module)).collect(),
+            modules,
+            input_runs: runs(&input_owner),
+            output_runs: runs(&output_owner),
             outputs: vec![0; size],
             enabled: false,
             changed: true,
@@ -152,26 +143,22 @@ impl Rack {
         }
         Ok(())
     }
+}
 
-    pub(super) fn claim(&mut self, module: Box<dyn IoModule>) {
-        // A checked rack has at most one module per byte, far below 2^16.
-        let index = Some(self.modules.len() as u16);
-        let places = |bytes: Range<u32>| bytes.start as usize..(bytes.end as usize).max(bytes.start as usize);
-        self.input_owner[places(module.inputs())].fill(index);
-        self.output_owner[places(module.outputs())].fill(index);
-        self.lively.push(!is_simulated(&*module));
-        self.modules.push(module);
-    }
-
-    pub(super) fn finish(mut self) -> Self {
-        self.input_runs = runs(&self.input_owner);
-        self.output_runs = runs(&self.output_owner);
-        self
-    }
+/// The simulated module of all addresses.
+fn background(cpu: &CpuType) -> Box<dyn IoModule> {
+    Box::new(SimulatedModule::new("simulated", 0..cpu.peripheral))
 }
 
 pub(super) fn is_simulated(module: &dyn IoModule) -> bool {
     (module as &dyn Any).is::<SimulatedModule>()
+}
+
+/// The module that a byte belongs to.
+pub(super) fn owner(runs: &[Run], byte: u32) -> Option<usize> {
+    let byte = byte as usize;
+    let run = runs.get(runs.partition_point(|run| run.bytes.end <= byte))?;
+    run.bytes.contains(&byte).then_some(run.module)
 }
 
 fn runs(owners: &[Option<u16>]) -> Vec<Run> {

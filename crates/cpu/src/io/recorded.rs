@@ -42,15 +42,13 @@ impl Rack {
     /// A rack with modules in the places of these, which know nothing but their addresses: whoever runs with it takes back a snapshot, or
     /// hears a tape.
     pub(crate) fn of_places(cpu: &CpuType, places: &[Place]) -> Self {
-        let mut rack = Self::empty(cpu);
-        for place in places {
-            let silent = Silent { inputs: place.inputs.clone(), outputs: place.outputs.clone() };
-            rack.claim(match place.is_simulated {
+        let module = |place: &Place| -> Box<dyn IoModule> {
+            match place.is_simulated {
                 true => Box::new(SimulatedModule::new("silent", place.inputs.clone())),
-                false => Box::new(silent),
-            });
-        }
-        rack.finish()
+                false => Box::new(Silent { inputs: place.inputs.clone(), outputs: place.outputs.clone() }),
+            }
+        };
+        Self::of(cpu, places.iter().map(module).collect())
     }
 
     /// Where the modules are.
