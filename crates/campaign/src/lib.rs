@@ -2,6 +2,7 @@
 #![forbid(unsafe_code)]
 
 pub mod disturbed;
+pub mod document;
 pub mod draws;
 pub mod exact;
 pub mod fuzz;

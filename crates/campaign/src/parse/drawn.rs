@@ -4,8 +4,8 @@ use sieben_sim::duration;
 use sieben_sim::wrap::Fault;
 use toml::de::{DeTable, DeValue};
 
-use super::values::number;
-use super::{Key, Reader, Value, in_order};
+use super::Reader;
+use crate::document::{Key, Value, in_order, number};
 use crate::spec::{Draw, Drawn, FaultRow, Law, Walk};
 
 /// What the numbers of a law are.
@@ -171,8 +171,8 @@ impl Reader<'_> {
                     for placed in self.strings(value, "fault") {
                         match Fault::parse_for("x", &format!("x {}", placed.text)) {
                             Ok(fault) if fault.from_us.is_none() => kinds.push(fault.kind),
-                            Ok(_) => self.wrong_at(placed.span, "when it begins and how long it lasts stands in `from` and `for`"),
-                            Err(message) => self.wrong_at(placed.span, message),
+                            Ok(_) => self.document.wrong_at(placed.span, "when it begins and how long it lasts stands in `from` and `for`"),
+                            Err(message) => self.document.wrong_at(placed.span, message),
                         }
                     }
                 }

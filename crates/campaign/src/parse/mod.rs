@@ -6,52 +6,49 @@ mod properties;
 mod tests;
 mod values;
 
-use std::borrow::Cow;
+use std::ops::{Deref, DerefMut};
 
 use sieben_model::diagnostic::{Diagnostic, Severity};
-use sieben_model::nearest::{nearest, one_of};
 use sieben_model::problems::Problem;
-use sieben_model::source::{FileId, Span};
-use toml::Spanned;
+use sieben_model::source::FileId;
 use toml::de::{DeTable, DeValue};
 
+use crate::document::{Document, Key, Value, in_order};
 use crate::spec::{Exhaustive, Keep, Placed, Replay, Set, Spec, Sweep};
 
-/// Most that is told of one file: after the first hundred the rest is mostly their consequence.
-const DIAGNOSTICS_MAX: usize = 100;
 /// Most values of a sweep.
 const VALUES_MAX: usize = 1_000_000;
 
-type Value<'i> = Spanned<DeValue<'i>>;
-type Key<'i> = Spanned<Cow<'i, str>>;
-
 /// Reads the text of a campaign. Without an error there is one.
 pub fn parse(text: &str, file: FileId) -> (Option<Spec>, Vec<Diagnostic>) {
-    let mut reader = Reader { text, file, spec: Spec { samples: 1, ..Spec::default() }, diagnostics: Vec::new() };
-    match DeTable::parse(text) {
-        Ok(table) => reader.root(table.get_ref()),
-        Err(error) => {
-            let message = format!("the file is not valid TOML: {}", error.message().replace('\n', "; "));
-            let span = reader.span(error.span().unwrap_or(0..0));
-            reader.diagnostics.push(Diagnostic::new(Problem::P7156, span, message));
-        }
+    let document = Document::new(text, file, Problem::P7157);
+    let mut reader = Reader { document, spec: Spec { samples: 1, ..Spec::default() } };
+    if let Some(table) = reader.tables(Problem::P7156) {
+        reader.root(table.get_ref());
     }
-    let Reader { spec, mut diagnostics, .. } = reader;
-    diagnostics.sort_by_key(|diagnostic| diagnostic.span.start);
-    if let Some(more) = diagnostics.len().checked_sub(DIAGNOSTICS_MAX).filter(|&more| more > 0) {
-        diagnostics.truncate(DIAGNOSTICS_MAX);
-        let last = diagnostics[DIAGNOSTICS_MAX - 1].span;
-        diagnostics.push(Diagnostic::new(Problem::P7156, last, format!("and {more} more after this one")));
-    }
+    let Reader { spec, document } = reader;
+    let diagnostics = document.finish();
     let good = diagnostics.iter().all(|diagnostic| diagnostic.problem.severity() != Severity::Error);
     (good.then_some(spec), diagnostics)
 }
 
 struct Reader<'t> {
-    text: &'t str,
-    file: FileId,
+    document: Document<'t>,
     spec: Spec,
-    diagnostics: Vec<Diagnostic>,
+}
+
+/// What is read is a document.
+impl<'t> Deref for Reader<'t> {
+    type Target = Document<'t>;
+    fn deref(&self) -> &Self::Target {
+        &self.document
+    }
+}
+
+impl DerefMut for Reader<'_> {
+    fn deref_mut(&mut self) -> &mut Self::Target {
+        &mut self.document
+    }
 }
 
 /// The tables of the file with their keys; those in double brackets are lists.
@@ -74,44 +71,12 @@ const TABLES: &[(&str, &[&str])] = &[
     ("measure", &["name", "of", "expr", "unit"]),
 ];
 
-/// The entries of a table in the order of the file.
-fn in_order<'a, 'i>(table: &'a DeTable<'i>) -> Vec<(&'a Key<'i>, &'a Value<'i>)> {
-    let mut all: Vec<_> = table.iter().collect();
-    all.sort_by_key(|(key, _)| key.span().start);
-    all
-}
-
 /// Whether this is the part of a name after its point, and not a word of the table.
 fn is_part(part: &Key<'_>, value: &Value<'_>) -> bool {
     !matches!(part.get_ref().as_ref(), "walk") && matches!(value.get_ref(), DeValue::Table(_))
 }
 
 impl Reader<'_> {
-    fn span(&self, range: std::ops::Range<usize>) -> Span {
-        // Files above 64 MiB are refused before, so that offsets fit.
-        Span::new(self.file, range.start as u32, range.end as u32)
-    }
-
-    fn wrong(&mut self, value: &Value<'_>, message: impl Into<String>) {
-        self.wrong_at(self.span(value.span()), message);
-    }
-
-    fn wrong_at(&mut self, span: Span, message: impl Into<String>) {
-        self.diagnostics.push(Diagnostic::new(Problem::P7157, span, message));
-    }
-
-    /// Says that a table has no such key.
-    fn unknown(&mut self, table: &str, key: &Key<'_>, known: &[&str]) {
-        let place = if table.is_empty() { String::new() } else { format!(" in `[{table}]`") };
-        let diagnostic = Diagnostic::new(Problem::P7157, self.span(key.span()), format!("there is no key `{}`{place}", key.get_ref()));
-        // Of very many mistakes only the first are told, and these words are not cheap to compare.
-        let near = if self.diagnostics.len() < DIAGNOSTICS_MAX { nearest(key.get_ref(), known.iter().copied()) } else { None };
-        self.diagnostics.push(match near {
-            Some(near) => diagnostic.help(format!("did you mean `{near}`?")),
-            None => diagnostic.help(format!("there are {}", one_of(known.iter().copied()))),
-        });
-    }
-
     fn root(&mut self, root: &DeTable<'_>) {
         let names: Vec<&str> = TABLES.iter().map(|(name, _)| *name).collect();
         for (key, value) in in_order(root) {
@@ -148,12 +113,12 @@ impl Reader<'_> {
                 ("sweep" | "draw", DeValue::Table(inner)) if inner.len() == 1 && inner.iter().all(|(part, value)| is_part(part, value)) => {
                     let part = inner.iter().next().map_or("", |(part, _)| part.get_ref());
                     let message = format!("a name with a point stands in quotes: `\"{}.{part}\" = …`", key.get_ref());
-                    self.wrong_at(self.span(key.span()), message);
+                    self.document.wrong_at(self.document.span(key.span()), message);
                 }
                 ("set", DeValue::Table(_)) => {
                     let message =
                         format!("`{}` has no single value; a name with a point stands in quotes: `\"Recipe.gain\" = 4.0`", key.get_ref());
-                    self.wrong_at(self.span(key.span()), message);
+                    self.document.wrong_at(self.document.span(key.span()), message);
                 }
                 ("set", _) => {
                     if let Some(set) = self.constant(value) {
@@ -252,7 +217,7 @@ impl Reader<'_> {
             }
             _ => return self.wrong(value, "`state` is `\"initial\"`: each combination begins after the start"),
         };
-        self.diagnostics.push(Diagnostic::new(Problem::P7159, self.span(value.span()), message));
+        self.document.diagnostics.push(Diagnostic::new(Problem::P7159, self.document.span(value.span()), message));
     }
 
     /// `{ from = 1.0, to = 8.0, steps = 8 }` or `{ values = [20.0, 40.0] }`, also with `unit`.
@@ -307,34 +272,35 @@ impl Reader<'_> {
             })
         };
         if both("campaign") && both("matrix") {
-            self.wrong_at(self.spec.span(), "programs stand in `[campaign]` or in `[matrix]`, not in both");
+            self.document.wrong_at(self.spec.span(), "programs stand in `[campaign]` or in `[matrix]`, not in both");
         }
         if self.spec.swarm_faults && self.spec.faults.is_empty() {
-            self.wrong_at(self.spec.span(), "`[swarm]` chooses among faults, and there is none: `[[fault]]`");
+            self.document.wrong_at(self.spec.span(), "`[swarm]` chooses among faults, and there is none: `[[fault]]`");
         }
         let whole = self.spec.span();
         let keys = self.spec.set.iter().map(|set| &set.name).chain(self.spec.sweep.iter().map(|sweep| &sweep.name));
         let keys: Vec<Placed> = keys.chain(self.spec.draw.iter().map(|draw| &draw.name)).cloned().collect();
         for (index, key) in keys.iter().enumerate() {
             if keys[..index].iter().any(|before| before.text.eq_ignore_ascii_case(&key.text)) {
-                self.wrong_at(key.span, format!("`{}` has a value already: it stands in one of `[set]`, `[sweep]` and `[draw]`", key.text));
+                self.document
+                    .wrong_at(key.span, format!("`{}` has a value already: it stands in one of `[set]`, `[sweep]` and `[draw]`", key.text));
             }
         }
         if let Some(exhaustive) = &self.spec.exhaustive
             && exhaustive.inputs.is_empty()
         {
-            self.wrong_at(whole, "`[exhaustive]` needs its bits: `inputs = [\"Start\", \"Stop\", \"I 0.0..I 0.7\"]`");
+            self.document.wrong_at(whole, "`[exhaustive]` needs its bits: `inputs = [\"Start\", \"Stop\", \"I 0.0..I 0.7\"]`");
         }
         let judged = !self.spec.properties.is_empty() || !self.spec.measures.is_empty() || self.spec.replay.is_some();
         if self.diagnostics.is_empty() && !judged {
             let message = "nothing is asked of the scenarios";
             let help = "say what must never be: `[[never]]` with `name = \"short circuit\"` and `expr = \"Star AND Delta\"`";
-            self.diagnostics.push(Diagnostic::new(Problem::P7157, whole, message).help(help));
+            self.document.diagnostics.push(Diagnostic::new(Problem::P7157, whole, message).help(help));
         }
         if self.spec.programs.len() < 2
             && let Some(same) = self.spec.properties.iter().find(|property| property.kind == crate::spec::PropertyKind::Same)
         {
-            self.wrong_at(same.span, "`[[same]]` compares programs: `[matrix]` with `program = [\"old\", \"new\"]` names them");
+            self.document.wrong_at(same.span, "`[[same]]` compares programs: `[matrix]` with `program = [\"old\", \"new\"]` names them");
         }
     }
 
@@ -349,7 +315,7 @@ impl Reader<'_> {
             }
             if self.spec.replay.is_none() {
                 let message = format!("`{name}` belongs to a recording: `replay = \"plant.scenario\"` names it");
-                self.wrong_at(self.span(key.span()), message);
+                self.document.wrong_at(self.document.span(key.span()), message);
                 continue;
             }
             let (mut within, mut tolerance, mut ignore) = (None, None, None);
@@ -366,18 +332,18 @@ impl Reader<'_> {
         }
         self.without_recording();
         if let (Some(replay), Some(_)) = (&self.spec.replay, self.spec.for_us) {
-            self.wrong_at(replay.scenario.span, "a recording is as long as it is: leave `for` out");
+            self.document.wrong_at(replay.scenario.span, "a recording is as long as it is: leave `for` out");
         }
         if let (Some(replay), Some(_)) = (&self.spec.replay, &self.spec.exhaustive) {
             let message = "a recording has its inputs: `[exhaustive]` has none to go through";
-            self.diagnostics.push(Diagnostic::new(Problem::P7159, replay.scenario.span, message));
+            self.document.diagnostics.push(Diagnostic::new(Problem::P7159, replay.scenario.span, message));
         }
     }
 
     fn without_recording(&mut self) {
         if self.spec.disturb.is_some() && self.spec.replay.is_none() {
             let span = self.spec.span();
-            self.wrong_at(span, "`[disturb]` disturbs a recording: `replay = \"plant.scenario\"` in `[campaign]` names it");
+            self.document.wrong_at(span, "`[disturb]` disturbs a recording: `replay = \"plant.scenario\"` in `[campaign]` names it");
         }
     }
 }

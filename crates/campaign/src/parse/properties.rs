@@ -3,7 +3,8 @@
 use sieben_model::nearest::one_of;
 use toml::de::{DeTable, DeValue};
 
-use super::{Reader, Value, in_order};
+use super::Reader;
+use crate::document::{Value, in_order};
 use crate::spec::{Measure, Of, Placed, Property, PropertyKind};
 
 impl Reader<'_> {
