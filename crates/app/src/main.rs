@@ -14,6 +14,7 @@ mod examples;
 mod failure;
 mod files;
 mod fixing;
+mod fleet;
 mod folder;
 mod glob;
 mod help;
@@ -110,6 +111,8 @@ enum Verb {
     Test(commands::test::Arguments),
     /// Run a program through very many scenarios: every combination of its inputs, drawn values, faults
     Campaign(Box<commands::campaign::Arguments>),
+    /// Run very many controllers at once, coupled by links
+    Fleet(Box<commands::fleet::Arguments>),
     /// Record values over many scans and draw them as a timing diagram
     Trace(Box<commands::trace::Arguments>),
     /// Write down what goes into a program and what comes out, to hold another program against it
@@ -172,6 +175,7 @@ fn run(mut line: CommandLine) -> Exit {
         Some(Verb::Bench(arguments)) => commands::bench::run(&arguments),
         Some(Verb::Test(arguments)) => commands::test::run(&arguments),
         Some(Verb::Campaign(arguments)) => commands::campaign::run(&arguments),
+        Some(Verb::Fleet(arguments)) => commands::fleet::run(&arguments),
         Some(Verb::Trace(arguments)) => commands::trace::run(&arguments),
         Some(Verb::Record(arguments)) => commands::record::run(&arguments),
         Some(Verb::Explain(arguments)) => commands::explain::run(&arguments),

@@ -775,6 +775,16 @@ problems! {
         "ein Programm, das eine Kampagne nicht verwenden kann" "Den Pfad in der Datei der Kampagne berichtigen; er zählt vom Ordner dieser Datei an.";
     P7164 Warning "an expression of a campaign that names nothing" "Write what the program does into it; a property of constants holds, or breaks, whatever happens."
         "ein Ausdruck einer Kampagne, der nichts benennt" "Hineinschreiben, was das Programm tut; eine Eigenschaft aus Konstanten gilt oder bricht, was auch geschieht.";
+    P7170 Error "a fleet whose file cannot be read" "Write it as `docs/reference/fleet-files.md` shows it: TOML, in UTF-8."
+        "eine Flotte, deren Datei nicht gelesen werden kann" "Sie schreiben, wie `docs/reference/fleet-files.md` es zeigt: TOML, in UTF-8.";
+    P7171 Error "a key or value of a fleet that is not understood" "Correct it; `docs/reference/fleet-files.md` lists all keys and what they take."
+        "ein nicht verstandener Schlüssel oder Wert einer Flotte" "Ihn berichtigen; `docs/reference/fleet-files.md` nennt alle Schlüssel und was sie annehmen.";
+    P7172 Error "a link of a fleet that cannot be made" "Write controllers of the file and names of their programs: `station[i].QB 0`; both ends have the same width."
+        "eine Verbindung einer Flotte, die nicht möglich ist" "Steuerungen der Datei und Namen ihrer Programme schreiben: `station[i].QB 0`; beide Enden sind gleich breit.";
+    P7173 Error "what fleets of this version do not have" "Use what the message names instead."
+        "was Flotten dieser Version nicht haben" "Stattdessen verwenden, was die Meldung nennt.";
+    P7174 Error "a controller that a fleet does not have" "Write one of the file with its number: `station[42]`; numbers count from 0."
+        "eine Steuerung, die eine Flotte nicht hat" "Eine der Datei mit ihrer Nummer schreiben: `station[42]`; gezählt wird ab 0.";
     P7175 Error "what a run of a campaign left is there" "Go on with it by `--resume`, or remove the folder."
         "was ein Lauf einer Kampagne hinterließ, ist noch da" "Mit `--resume` damit fortfahren oder den Ordner löschen.";
     P7176 Error "a result of another campaign" "Use only results of the same programs, file and seed."

@@ -15,6 +15,7 @@ pub mod duration;
 pub mod exchange;
 pub mod failed;
 pub mod finding;
+pub mod fleet;
 pub mod gate;
 mod last_change;
 pub mod local_check;

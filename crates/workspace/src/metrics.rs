@@ -137,16 +137,22 @@ fn counter(out: &mut String, name: &str, help: &str, value: u64) {
     sample(out, name, &[], value);
 }
 
-fn head(out: &mut String, name: &str, kind: &str, help: &str) {
+/// The lines before the samples of a name.
+pub(crate) fn head(out: &mut String, name: &str, kind: &str, help: &str) {
     // Writing into a string does not fail.
     let _ = writeln!(out, "# HELP {name} {help}\n# TYPE {name} {kind}");
 }
 
-/// A line; labels hold words of ours, in which nothing needs an escape.
-fn sample(out: &mut String, name: &str, labels: &[(&str, &str)], value: impl Display) {
+/// A line; what others have written stands [`escaped`] in labels.
+pub(crate) fn sample(out: &mut String, name: &str, labels: &[(&str, &str)], value: impl Display) {
     let labels = labels.iter().map(|(key, value)| format!("{key}=\"{value}\"")).collect::<Vec<_>>().join(",");
     let labels = if labels.is_empty() { labels } else { format!("{{{labels}}}") };
     let _ = writeln!(out, "{name}{labels} {value}");
+}
+
+/// A text as it stands in a label.
+pub(crate) fn escaped(text: &str) -> String {
+    text.replace('\\', "\\\\").replace('"', "\\\"").replace('\n', "\\n")
 }
 
 fn seconds(us: u64) -> String {

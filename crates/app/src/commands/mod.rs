@@ -9,6 +9,7 @@ pub(crate) mod convert;
 pub(crate) mod demo;
 pub(crate) mod exec;
 pub(crate) mod explain;
+pub(crate) mod fleet;
 pub(crate) mod fmt;
 pub(crate) mod lsp;
 pub(crate) mod new;

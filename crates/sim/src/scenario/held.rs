@@ -41,6 +41,11 @@ struct Undecided {
 #[derive(Clone, Copy)]
 pub struct Holding<'a>(pub(super) &'a [Held]);
 
+impl Holding<'static> {
+    /// Nothing is held.
+    pub const NOTHING: Self = Self(&[]);
+}
+
 impl Holding<'_> {
     /// What is expected of a name behind this scan.
     pub fn expected(&self, name: &str) -> Option<&Sample> {

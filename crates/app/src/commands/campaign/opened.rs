@@ -28,10 +28,18 @@ pub(super) struct Opened {
     pub(super) text: String,
 }
 
-/// The files around that of a campaign.
-struct Around<'a> {
+/// The files around that of a campaign or of a fleet.
+pub(in crate::commands) struct Around<'a> {
     folder: PathBuf,
     program: &'a ProgramArguments,
+}
+
+impl<'a> Around<'a> {
+    /// Those around this file.
+    pub(in crate::commands) fn of(path: &Path, program: &'a ProgramArguments) -> Self {
+        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).map_or_else(|| PathBuf::from("."), Path::to_path_buf);
+        Self { folder, program }
+    }
 }
 
 impl Files for Around<'_> {
@@ -71,8 +79,7 @@ pub(super) fn open(
     };
     spec.seed = seed.unwrap_or(spec.seed);
     let name = spec.name.clone().unwrap_or_else(|| path.file_stem().unwrap_or_default().to_string_lossy().into_owned());
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).map_or_else(|| PathBuf::from("."), Path::to_path_buf);
-    let around = Around { folder: folder.clone(), program };
+    let around = Around::of(path, program);
     let factory = engine.settled().factory(StatusBits::Needed);
     match campaign::open(spec, text, &around, program.overrides()?, &factory) {
         Ok(campaign) => {
@@ -80,7 +87,7 @@ pub(super) fn open(
             if !findings.is_empty() {
                 told(&mut findings, &texts);
             }
-            Ok(Ok(Opened { campaign, name, folder, text: text.to_owned() }))
+            Ok(Ok(Opened { campaign, name, folder: around.folder, text: text.to_owned() }))
         }
         Err(Failed::Spec(wrong)) => {
             findings.extend(wrong.into_iter().map(Finding::document));

@@ -1,0 +1,165 @@
+//! `sieben fleet FILE`: very many controllers at once, coupled by links.
+
+use std::num::NonZero;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use clap::Args;
+use sieben_jit::StatusBits;
+use sieben_model::problems::Problem;
+use sieben_workspace::Speed;
+use sieben_workspace::campaign::Failed;
+use sieben_workspace::duration::micros;
+use sieben_workspace::finding::{self, Finding, Texts};
+use sieben_workspace::fleet::{self, Fleet};
+
+use super::campaign::Around;
+use crate::arguments::ProgramArguments;
+use crate::duration::duration_argument;
+use crate::engines::EngineArgument;
+use crate::failure::{Exit, Failure};
+use crate::fleet::said::Run;
+use crate::fleet::{Orders, run as run_fleet};
+use crate::{files, output, paths, report, terminal};
+
+/// Run very many controllers at once, coupled by links.
+#[derive(Args)]
+#[command(after_help = "Examples:\n  \
+  sieben fleet line.toml                          10 s of all its controllers, as fast as it goes\n  \
+  sieben fleet line.toml --for 1h --json          an hour, and the result as JSON\n  \
+  sieben fleet line.toml --speed 1x --for 1d      in real time, until Ctrl-C\n  \
+  sieben fleet line.toml --metrics fleet.txt      the numbers of each controller\n  \
+  sieben fleet line.toml --record 'station[42]' 42.scenario\n                                                  \
+what goes into one of them, to step through\n\n\
+What comes of it does not depend on threads, engine or speed: what a controller sends arrives at\n\
+the time that its link says. One that goes to STOP is a row of the result, and the others go on.\n\n\
+Exit codes: 0 ok, 2 usage, 3 does not compile, 130 Ctrl+C.")]
+pub(crate) struct Arguments {
+    /// The file of the fleet
+    #[arg(value_name = "FILE")]
+    file: PathBuf,
+    #[arg(hide = true)]
+    more: Vec<PathBuf>,
+    #[command(flatten)]
+    program: ProgramArguments,
+    /// End after so much time of the controllers
+    #[arg(long = "for", value_name = "DURATION", value_parser = duration_argument, default_value = "10s")]
+    length: Duration,
+    /// max as fast as it goes, 1x in real time, 10x ten times as fast
+    #[arg(long, value_name = "FACTOR", allow_hyphen_values = true, value_parser = Speed::parse, default_value = "max")]
+    speed: Speed,
+    /// Threads [default: one for each processor]
+    #[arg(long, value_name = "N")]
+    threads: Option<NonZero<usize>>,
+    /// Another seed of the plants than that of the file
+    #[arg(long, value_name = "N")]
+    seed: Option<u64>,
+    /// Write the numbers of each controller to this file, as OpenMetrics
+    #[arg(long, value_name = "FILE")]
+    metrics: Option<PathBuf>,
+    /// Write what goes into a controller and what comes out to this file, as a scenario
+    #[arg(long, value_names = ["NAME", "SCENARIO"], num_args = 2)]
+    record: Vec<String>,
+    /// Which engine runs the programs
+    #[arg(long, value_name = "ENGINE", default_value = "auto")]
+    engine: EngineArgument,
+    /// Print the result as one JSON object
+    #[arg(long)]
+    json: bool,
+}
+
+/// Runs a fleet.
+pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
+    if arguments.file == Path::new("top") && !arguments.file.exists() {
+        let message = "`fleet top` is not there yet: `--metrics FILE` has the numbers of all controllers";
+        return Err(Failure::usage(Problem::P7173, message));
+    }
+    if let Some(more) = arguments.more.first() {
+        let message = format!("a fleet has one file, and here is a second one: `{}`", more.display());
+        return Err(Failure::usage(Problem::P7001, message));
+    }
+    let recorded = arguments.record.get(1).map(PathBuf::from);
+    let written: Vec<&PathBuf> = arguments.metrics.iter().chain(&recorded).collect();
+    paths::spare_sources(written.iter().copied())?;
+    if written.contains(&&arguments.file) {
+        let message = format!("`{}` is the file of the fleet, and results do not replace it", arguments.file.display());
+        return Err(Failure::usage(Problem::P6013, message).help("give the file another name"));
+    }
+    let (fleet, name) = match open(arguments)? {
+        Ok(opened) => opened,
+        Err(exit) => return Ok(exit),
+    };
+    let record = arguments.record.first().map(|name| fleet.by_name(name).ok_or_else(|| missing(&fleet, name))).transpose()?;
+    if let Some(number) = record {
+        fleet.record(number);
+    }
+    let interrupted = terminal::interrupted();
+    let factor = match arguments.speed {
+        Speed::Factor(factor) => Some(factor),
+        Speed::Max => None,
+    };
+    let threads = arguments.threads.or_else(|| std::thread::available_parallelism().ok()).unwrap_or(NonZero::<usize>::MIN);
+    let for_us = micros(arguments.length);
+    let orders = Orders { windows: fleet.windows(for_us, factor.is_some()), threads, factor, cancelled: &interrupted };
+    let ran = run_fleet(&fleet, &orders);
+    let summary = fleet.summary();
+    if let Some(path) = &arguments.metrics {
+        files::write_whole(path, fleet::metrics(&summary).as_bytes())?;
+    }
+    if let (Some(path), Some(recording)) = (&recorded, record.and_then(|number| fleet.recording(number))) {
+        match recording {
+            Ok(text) => files::write_whole(path, text.as_bytes())?,
+            Err(trouble) => return Err(Failure::usage(Problem::P6291, trouble)),
+        }
+    }
+    let file = arguments.file.display().to_string();
+    let threads = threads.get().min(fleet.len().max(1));
+    let run = Run { fleet: &fleet, name: &name, file: &file, summary: &summary, threads, for_us, ran };
+    match arguments.json {
+        true => output::print_json(&run.json(), false)?,
+        false => output::print(&run.text())?,
+    }
+    Ok(if ran.interrupted { Exit::Interrupted } else { Exit::Success })
+}
+
+fn missing(fleet: &Fleet, name: &str) -> Failure {
+    let last = fleet.len().saturating_sub(1);
+    let message = format!("the fleet has no controller `{name}`: the first is `{}`, the last `{}`", fleet.name_of(0), fleet.name_of(last));
+    Failure::usage(Problem::P7174, message)
+}
+
+/// Reads a fleet and compiles its programs; otherwise its findings are printed.
+fn open(arguments: &Arguments) -> Result<Result<(Fleet, String), Exit>, Failure> {
+    let path = &arguments.file;
+    let bytes = files::read(path)?;
+    let mut texts = Texts::default();
+    let text = String::from_utf8(bytes).map_err(|_| Failure::usage(Problem::P7170, format!("`{}` is not UTF-8 text", path.display())))?;
+    let text = text.strip_prefix('\u{FEFF}').unwrap_or(&text);
+    let file = texts.documents.add(path.display().to_string(), text);
+    let (spec, diagnostics) = fleet::parse(text, file);
+    let told = |diagnostics: Vec<sieben_model::diagnostic::Diagnostic>| {
+        let mut findings: Vec<Finding> = diagnostics.into_iter().map(Finding::document).collect();
+        finding::sort(&mut findings);
+        report::print(&findings, &texts, arguments.json);
+    };
+    let Some(mut spec) = spec else {
+        told(diagnostics);
+        return Ok(Err(Exit::DoesNotCompile));
+    };
+    spec.seed = arguments.seed.unwrap_or(spec.seed);
+    let name = spec.name.clone().unwrap_or_else(|| path.file_stem().unwrap_or_default().to_string_lossy().into_owned());
+    let around = Around::of(path, &arguments.program);
+    let factory = arguments.engine.settled().factory(StatusBits::Needed);
+    match fleet::open(spec, &around, arguments.program.overrides()?, &factory) {
+        Ok(fleet) => Ok(Ok((fleet, name))),
+        Err(Failed::Spec(wrong)) => {
+            told(wrong);
+            Ok(Err(Exit::DoesNotCompile))
+        }
+        Err(Failed::Program(build)) => {
+            report::print(&build.findings, &build.project.texts, arguments.json);
+            Ok(Err(Exit::DoesNotCompile))
+        }
+        Err(Failed::Refused(refusal)) => Err(refusal.into()),
+    }
+}

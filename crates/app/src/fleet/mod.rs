@@ -1,0 +1,6 @@
+//! A fleet on the threads of this computer.
+
+pub(crate) mod said;
+mod threads;
+
+pub(crate) use threads::{Orders, Ran, run};
