@@ -60,6 +60,7 @@ pub const TARGETS: &[Target] = &[
     Target { name: "sim-scenario", fuzz: scenario, corpus: "scenario", fences: &["check"], words: scenario_words },
     Target { name: "sim-recording", fuzz: recording, corpus: "recording", fences: &[], words: no_words },
     Target { name: "campaign-file", fuzz: sieben_campaign::fuzz::fuzz, corpus: "campaign", fences: &[], words: campaign_words },
+    Target { name: "fleet-file", fuzz: sieben_workspace::fleet::fuzz::fuzz, corpus: "fleet", fences: &[], words: fleet_words },
     Target { name: "workspace-settings", fuzz: settings, corpus: "settings", fences: &[], words: settings_words },
     Target { name: "workspace-control", fuzz: sieben_workspace::control::fuzz, corpus: "control", fences: &[], words: control_words },
     Target { name: "page-messages", fuzz: sieben_workbench::live::fuzz::fuzz, corpus: "page", fences: &[], words: page_words },
@@ -326,6 +327,13 @@ fn campaign_words() -> Vec<&'static str> {
     let words = "[campaign] [exhaustive] [set] [sweep] [draw] [[fault]] [swarm] [disturb] [matrix] [[never]] [[response]] [[measure]] name= program= \
         for= seed= samples= settle= replay= within= inputs= \"A\" \"oven.gain\" {values=[1,2]} {from=1,to=8,steps=3} {uniform=[0,1]} {normal=[1,2]} \
         {walk={every=\"2s\",chance=0.1}} signal= fault= chance=0.5 expr= when= then= of=\"max\" \"10ms\" \"-15ms\" 1 -1 nan 1e999 true \"\" , ] }";
+    words.split_whitespace().chain(["\n"]).collect()
+}
+
+/// Words of the file of a fleet.
+fn fleet_words() -> Vec<&'static str> {
+    let words = "[fleet] [[controller]] [[link]] name= count= program= cycle= seed= from= to= latency= kind= \"station\" \"station[i].QB 0\" \"station[i+1].IB 0\" \
+        \"station[3].Q 0.0\" \"master.IW 0\" \"10ms\" \"1us\" \"io\" \"s7\" 1 0 -1 100000 1e999 [ ] i+ i- . \"";
     words.split_whitespace().chain(["\n"]).collect()
 }
 

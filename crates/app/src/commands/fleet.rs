@@ -9,12 +9,13 @@ use sieben_jit::StatusBits;
 use sieben_model::problems::Problem;
 use sieben_workspace::Speed;
 use sieben_workspace::campaign::Failed;
-use sieben_workspace::duration::micros;
+use sieben_workspace::duration::{self, micros};
 use sieben_workspace::finding::{self, Finding, Texts};
 use sieben_workspace::fleet::{self, Fleet};
 
 use super::campaign::Around;
 use crate::arguments::ProgramArguments;
+use crate::campaign::said;
 use crate::duration::duration_argument;
 use crate::engines::EngineArgument;
 use crate::failure::{Exit, Failure};
@@ -25,12 +26,11 @@ use crate::{files, output, paths, report, terminal};
 /// Run very many controllers at once, coupled by links.
 #[derive(Args)]
 #[command(after_help = "Examples:\n  \
-  sieben fleet line.toml                          10 s of all its controllers, as fast as it goes\n  \
-  sieben fleet line.toml --for 1h --json          an hour, and the result as JSON\n  \
-  sieben fleet line.toml --speed 1x --for 1d      in real time, until Ctrl-C\n  \
-  sieben fleet line.toml --metrics fleet.txt      the numbers of each controller\n  \
-  sieben fleet line.toml --record 'station[42]' 42.scenario\n                                                  \
-what goes into one of them, to step through\n\n\
+  sieben fleet line.toml                           10 s of all its controllers, as fast as it goes\n  \
+  sieben fleet line.toml --for 1h --json           an hour, and the result as JSON\n  \
+  sieben fleet line.toml --speed 1x --for 1d       in real time, until Ctrl-C\n  \
+  sieben fleet line.toml --metrics fleet.txt       the numbers of each controller\n  \
+  sieben fleet line.toml --record 'station[42]' -  what goes into one of them\n\n\
 What comes of it does not depend on threads, engine or speed: what a controller sends arrives at\n\
 the time that its link says. One that goes to STOP is a row of the result, and the others go on.\n\n\
 Exit codes: 0 ok, 2 usage, 3 does not compile, 130 Ctrl+C.")]
@@ -57,7 +57,7 @@ pub(crate) struct Arguments {
     /// Write the numbers of each controller to this file, as OpenMetrics
     #[arg(long, value_name = "FILE")]
     metrics: Option<PathBuf>,
-    /// Write what goes into a controller and what comes out to this file, as a scenario
+    /// Write what goes into a controller and what comes out to this file, as a scenario (`-` prints it)
     #[arg(long, value_names = ["NAME", "SCENARIO"], num_args = 2)]
     record: Vec<String>,
     /// Which engine runs the programs
@@ -85,6 +85,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         let message = format!("`{}` is the file of the fleet, and results do not replace it", arguments.file.display());
         return Err(Failure::usage(Problem::P6013, message).help("give the file another name"));
     }
+    let interrupted = terminal::interrupted();
     let (fleet, name) = match open(arguments)? {
         Ok(opened) => opened,
         Err(exit) => return Ok(exit),
@@ -93,7 +94,6 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     if let Some(number) = record {
         fleet.record(number);
     }
-    let interrupted = terminal::interrupted();
     let factor = match arguments.speed {
         Speed::Factor(factor) => Some(factor),
         Speed::Max => None,
@@ -101,6 +101,11 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let threads = arguments.threads.or_else(|| std::thread::available_parallelism().ok()).unwrap_or(NonZero::<usize>::MIN);
     let for_us = micros(arguments.length);
     let orders = Orders { windows: fleet.windows(for_us, factor.is_some()), threads, factor, cancelled: &interrupted };
+    if factor.is_some() && !arguments.json {
+        let controllers = said::several(fleet.len() as u64, "controller");
+        let cycle = duration::show(Duration::from_micros(fleet.cycle_us));
+        output::message(&format!("Running `{name}`: {controllers}, cycle {cycle}; Ctrl-C ends.\n"));
+    }
     let ran = run_fleet(&fleet, &orders);
     let summary = fleet.summary();
     if let Some(path) = &arguments.metrics {
@@ -108,6 +113,11 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     }
     if let (Some(path), Some(recording)) = (&recorded, record.and_then(|number| fleet.recording(number))) {
         match recording {
+            // What is printed is the recording.
+            Ok(text) if path.as_os_str() == "-" => {
+                output::print_data(&text)?;
+                return Ok(ended(ran.interrupted));
+            }
             Ok(text) => files::write_whole(path, text.as_bytes())?,
             Err(trouble) => return Err(Failure::usage(Problem::P6291, trouble)),
         }
@@ -119,7 +129,11 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         true => output::print_json(&run.json(), false)?,
         false => output::print(&run.text())?,
     }
-    Ok(if ran.interrupted { Exit::Interrupted } else { Exit::Success })
+    Ok(ended(ran.interrupted))
+}
+
+fn ended(interrupted: bool) -> Exit {
+    if interrupted { Exit::Interrupted } else { Exit::Success }
 }
 
 fn missing(fleet: &Fleet, name: &str) -> Failure {

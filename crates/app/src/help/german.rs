@@ -28,6 +28,7 @@ pub(super) const VALUES: &[Row] = &[
     ("PATH", "PFAD"),
     ("PATH|NAME", "PFAD|NAME"),
     ("RECORDING", "AUFZEICHNUNG"),
+    ("SCENARIO", "SZENARIO"),
     ("SERVER=ADDRESS", "SERVER=ADRESSE"),
     ("WHICH", "WELCHE"),
     ("WORD", "WORT"),
@@ -486,6 +487,20 @@ pub(super) const SENTENCES: &[Row] = &[
         "Print which inputs, outputs, bit memory, timers and counters are used",
         "Ausgeben, welche Eingänge, Ausgänge, Merker, Zeiten und Zähler belegt sind",
     ),
+    // fleet
+    ("Run very many controllers at once, coupled by links", "Sehr viele Steuerungen zugleich ausführen, durch Verbindungen gekoppelt"),
+    ("The file of the fleet", "Die Datei der Flotte"),
+    ("End after so much time of the controllers", "Nach so viel Zeit der Steuerungen enden"),
+    ("max as fast as it goes, 1x in real time, 10x ten times as fast", "max so schnell es geht, 1x in Echtzeit, 10x zehnmal so schnell"),
+    ("Another seed of the plants than that of the file", "Ein anderer Startwert der Anlagen als der der Datei"),
+    (
+        "Write the numbers of each controller to this file, as OpenMetrics",
+        "Die Zahlen jeder Steuerung in diese Datei schreiben, als OpenMetrics",
+    ),
+    (
+        "Write what goes into a controller and what comes out to this file, as a scenario (`-` prints it)",
+        "Was in eine Steuerung hineingeht und was herauskommt, als Szenario in diese Datei schreiben (`-` gibt es aus)",
+    ),
     // campaign
     (
         "Run a program through very many scenarios: every combination of its inputs, drawn values, faults",
@@ -682,6 +697,17 @@ pub(super) const BELOW: &[Row] = &[
         "Exit codes: 0 ok, 1 an expectation of the scenario failed, 2 usage, 3 does not compile, 4 the CPU went to STOP.",
         "Exitcodes: 0 in Ordnung, 1 eine Erwartung des Szenarios traf nicht ein, 2 Aufruf, 3 nicht übersetzbar, 4 die CPU ging in STOP.",
     ),
+    // fleet
+    ("10 s of all its controllers, as fast as it goes", "10 s aller ihrer Steuerungen, so schnell es geht"),
+    ("an hour, and the result as JSON", "eine Stunde, und das Ergebnis als JSON"),
+    ("in real time, until Ctrl-C", "in Echtzeit, bis Strg-C"),
+    ("the numbers of each controller", "die Zahlen jeder Steuerung"),
+    ("what goes into one of them", "was in eine von ihnen hineingeht"),
+    (
+        "What comes of it does not depend on threads, engine or speed: what a controller sends arrives at the time that its link says. One that goes to STOP is a row of the result, and the others go on.",
+        "Was herauskommt, hängt nicht von Threads, Engine oder Tempo ab: Was eine Steuerung sendet, kommt zu der Zeit an, die ihre Verbindung sagt. Eine, die in STOP geht, ist eine Zeile des Ergebnisses, und die anderen laufen weiter.",
+    ),
+    ("Exit codes: 0 ok, 2 usage, 3 does not compile, 130 Ctrl+C.", "Exitcodes: 0 in Ordnung, 2 Aufruf, 3 nicht übersetzbar, 130 Strg+C."),
     // campaign
     ("all of it, on all processors", "alles, auf allen Prozessoren"),
     ("the first thousand", "die ersten tausend"),

@@ -15,11 +15,11 @@ use super::spec::{CONTROLLERS_MAX, Controllers, LATENCY_US_MAX, LATENCY_US_MIN, 
 
 /// Reads the text of a fleet. Without an error there is one.
 pub fn parse(text: &str, file: FileId) -> (Option<Spec>, Vec<Diagnostic>) {
-    let mut reader = Reader { document: Document::new(text, file, Problem::P7171), spec: Spec::default() };
+    let mut reader = Reader { document: Document::new(text, file, Problem::P7171), spec: Spec::default(), knows_all: true };
     if let Some(table) = reader.tables(Problem::P7170) {
         reader.root(table.get_ref());
     }
-    let Reader { document, spec } = reader;
+    let Reader { document, spec, .. } = reader;
     let diagnostics = document.finish();
     let good = diagnostics.iter().all(|diagnostic| diagnostic.problem.severity() != Severity::Error);
     (good.then_some(spec), diagnostics)
@@ -32,6 +32,8 @@ const LINK: &[&str] = &["from", "to", "latency", "kind"];
 struct Reader<'t> {
     document: Document<'t>,
     spec: Spec,
+    /// Whether all controllers were understood: else a link may mean one that was not.
+    knows_all: bool,
 }
 
 /// What is read is a document.
@@ -60,7 +62,11 @@ impl Reader<'_> {
                     for item in items {
                         match item.get_ref() {
                             DeValue::Table(inner) if name == "link" => links.push((item, inner)),
-                            DeValue::Table(inner) => self.controllers(item, inner),
+                            DeValue::Table(inner) => {
+                                let before = self.diagnostics.len();
+                                self.controllers(item, inner);
+                                self.knows_all &= self.diagnostics.len() == before;
+                            }
                             _ => self.wrong(item, format!("write `[[{name}]]` on a line of its own, and its keys below")),
                         }
                     }
@@ -154,7 +160,7 @@ impl Reader<'_> {
             }
         }
         let (Some(from), Some(to), Some(latency_us)) = (from, to, latency) else {
-            if self.diagnostics.len() == before {
+            if self.diagnostics.len() == before && self.knows_all {
                 const HOW: &str = "a link has `from`, `to` and `latency`: `from = \"station[i].QB 0\"`, `to = \"station[i+1].IB 0\"`, `latency = \"10ms\"`";
                 self.wrong(item, HOW);
             }
@@ -200,6 +206,9 @@ impl Reader<'_> {
                 return None;
             }
         };
+        if !self.knows_all {
+            return None;
+        }
         let Endpoint { controller, index, .. } = &endpoint;
         let all = &self.spec.controllers;
         let told = |message: String| Diagnostic::new(Problem::P7172, controller.span, message);
