@@ -162,8 +162,8 @@ fn plants_of_one_project_draw_from_seeds_of_their_own() {
             "[fleet]\nseed = {seed}\n[[controller]]\nname = \"oven\"\ncount = 3\nprogram = \"oven\"\n[[controller]]\nname = \"other\"\nprogram = \"oven\"\n"
         )
     };
-    let oven =
-        "[[module]]\nkind = \"thermal\"\nname = \"oven\"\ninput = 0\noutput = 0\nnoise = 10\n---\n".to_owned() + &ob(1, "L MD 0; L L#3; *D; L IW 0; +D; T MD 0; T QD 10;");
+    let oven = "[[module]]\nkind = \"thermal\"\nname = \"oven\"\ninput = 0\noutput = 0\nnoise = 10\n---\n".to_owned()
+        + &ob(1, "L MD 0; L L#3; *D; L IW 0; +D; T MD 0; T QD 10;");
     let states = |seed| {
         let fleet = open(&text(seed), &[("oven", &oven)]);
         run(&fleet, 5_000_000)
