@@ -137,7 +137,7 @@ fn ctrl_c_ends_a_fleet_with_what_it_has_come_to() {
     let output = fleet.wait_with_output().expect("it ends");
     assert_eq!(output.status.code(), Some(130));
     let said = String::from_utf8(output.stdout).expect("text");
-    assert!(said.contains("line: 41 controllers, ") && said.contains("ended by Ctrl-C before 1h"), "{said}");
+    assert!(said.contains("line: 41 controllers, ") && said.contains("ended by Ctrl-C before 1 h 0 min"), "{said}");
 }
 
 /// A controller takes less than 40 KiB of the computer's memory: what is counted, and what the allocator adds.
