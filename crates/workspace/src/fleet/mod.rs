@@ -90,7 +90,7 @@ impl Fleet {
         let Some(instance) = self.instances.get(number) else { return };
         let instance = &mut *instance.lock().unwrap_or_else(PoisonError::into_inner);
         let group = &self.groups[self.group_of(number)];
-        let [filled, read] = if window.number % 2 == 0 { [0, 1] } else { [1, 0] };
+        let [filled, read] = if window.number.is_multiple_of(2) { [0, 1] } else { [1, 0] };
         if !group.incoming.is_empty() && instance.stop.is_none() {
             self.receive(instance, group, number as u32 - group.first, &self.outboxes[read]);
         }

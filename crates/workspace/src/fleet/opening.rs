@@ -140,7 +140,8 @@ fn wire(link: &Link, spec: &[Controllers], groups: &[Group], programs: &[Program
     let target = looked_up(&link.to, &programs[receiving].build).and_then(|(name, target, width)| {
         if matches!(area(&target), Some(Area::Output | Area::PeripheralOutput)) {
             let message = format!("`{}` is an output, which only the program of `{}` sets", link.to.name.text, link.to.controller.text);
-            return Err(told(&link.to, message).help("let the link go to an input, bit memory or a data block"));
+            let help = "let the link go to an input, bit memory or a data block";
+            return Err(Box::new(told(&link.to, message).help(help)));
         }
         let zero = Value::bits(name.kind().clone(), 0);
         match name.set_at(&mut probes[receiving], &zero, 0) {
@@ -150,7 +151,7 @@ fn wire(link: &Link, spec: &[Controllers], groups: &[Group], programs: &[Program
     });
     let ((source, from_width), (target, to_width)) = match (source, target) {
         (Ok(source), Ok(target)) => (source, target),
-        (source, target) => return Err(source.err().into_iter().chain(target.err()).collect()),
+        (source, target) => return Err(source.err().into_iter().chain(target.err()).map(|told| *told).collect()),
     };
     if from_width != to_width {
         let bits = |width: u32| if width == 1 { "a bit".to_owned() } else { format!("{width} bits") };
@@ -173,13 +174,13 @@ fn wire(link: &Link, spec: &[Controllers], groups: &[Group], programs: &[Program
     Ok(wire)
 }
 
-fn looked_up(endpoint: &Endpoint, build: &Build) -> Result<(Name, Operand, u32), Diagnostic> {
+fn looked_up(endpoint: &Endpoint, build: &Build) -> Result<(Name, Operand, u32), Box<Diagnostic>> {
     let text = &endpoint.name.text;
     let name = Name::parse(text, &build.project.symbols, &build.compiled.program).map_err(|error| told(endpoint, error.to_string()))?;
     let (operand, width) = carried(&name).map_err(|message| told(endpoint, message))?;
     Ok((name, operand, width))
 }
 
-fn told(endpoint: &Endpoint, message: String) -> Diagnostic {
-    Diagnostic::new(Problem::P7172, endpoint.name.span, message)
+fn told(endpoint: &Endpoint, message: String) -> Box<Diagnostic> {
+    Box::new(Diagnostic::new(Problem::P7172, endpoint.name.span, message))
 }

@@ -56,7 +56,7 @@ mod tests {
                 for scans in [0, 1, 7, 100] {
                     let windows = Windows::new(cycle_us, scans, Some(latency_us), 64);
                     let all: Vec<Window> = (0..).map_while(|number| windows.get(number)).collect();
-                    assert!(all.iter().map(|window| window.from..window.to).flatten().eq(0..scans), "each scan is in one window");
+                    assert!(all.iter().flat_map(|window| window.from..window.to).eq(0..scans), "each scan is in one window");
                     for window in &all {
                         let last = window.begin_us(window.to - 1);
                         assert!(last < window.begin_us(window.from) + latency_us, "{window:?}");

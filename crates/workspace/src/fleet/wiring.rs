@@ -79,7 +79,7 @@ pub(super) fn carried(name: &Name) -> Result<(Operand, u32), String> {
         Some(operand @ (Operand::Address(_) | Operand::InDataBlock { .. }))
             if operand.width().is_some_and(|width| width != Width::QuadWord) =>
         {
-            Ok((operand.clone(), width))
+            Ok((*operand, width))
         }
         Some(Operand::Address(_) | Operand::InDataBlock { .. }) => Err(format!("`{text}` has {width} bits; a link carries up to 32")),
         _ => Err(format!("`{text}` is no bit, byte, word or double word of inputs, outputs, bit memory or a data block")),
@@ -102,7 +102,7 @@ mod tests {
 
     fn wire(from_index: Index, to_index: Index) -> Wire {
         let source = Operand::Address(Address { area: Area::Output, width: Width::Byte, byte: 0, bit: 0 });
-        let target = Name::at("IB 0", source.clone(), None);
+        let target = Name::at("IB 0", source, None);
         Wire { from: 0, from_index, source, is_output: true, to: 0, to_index, target, latency_us: 1000 }
     }
 
