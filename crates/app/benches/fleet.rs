@@ -20,18 +20,15 @@ const ROUNDS: usize = 3;
 
 /// 1,000 statements: networks of bits with set and reset, and a little arithmetic.
 fn program() -> String {
-    let mut text = String::from("ORGANIZATION_BLOCK OB 1\nBEGIN\n L IB 0;\n T QB 0;\n");
+    let mut text = String::from("ORGANIZATION_BLOCK OB 1\nBEGIN\n L IB 0;\n L MB 201;\n +I;\n T QB 0;\n");
     for network in 0..100 {
-        let (byte, bit) = (network / 8, network % 8);
+        let (byte, bit, word, number) = (network / 8, network % 8, 200 + network * 2, network + 1);
+        let (edge, set) = (100 + byte, 1 + byte);
         // Writing to a string cannot fail.
         let _ = write!(
             text,
-            "NETWORK\n A I {byte}.{bit};\n AN M {0}.{bit};\n O M {1}.{bit};\n = M {1}.{bit};\n A M {1}.{bit};\n S Q {2}.{bit};\n L MW {3};\n L {};\n +I;\n T MW {3};\n",
-            network + 1,
-            100 + byte,
-            120 + byte,
-            1 + byte,
-            200 + network * 2
+            "NETWORK\n A I {byte}.{bit};\n AN M {edge}.{bit};\n O M {edge}.{bit};\n = M {edge}.{bit};\n A M {edge}.{bit};\n S Q {set}.{bit};\n\
+             L MW {word};\n L {number};\n +I;\n T MW {word};\n"
         );
     }
     text + "END_ORGANIZATION_BLOCK\n"
