@@ -795,6 +795,16 @@ problems! {
         "ein Ergebnis einer Kampagne, das nicht gelesen werden kann" "Eine Parquet-Datei nennen, die `sieben campaign run --out` oder `merge` geschrieben hat.";
     P7179 Error "a scenario that the engines do not agree on" "This is our mistake: please report the scenario and the program."
         "ein Szenario, bei dem sich die Ausführungen unterscheiden" "Das ist unser Fehler: bitte das Szenario und das Programm melden.";
+    P7165 Error "a NATS server that cannot be reached" "Look whether `nats-server` runs, and whether the address, the port and the certificate are right."
+        "ein NATS-Server, der nicht zu erreichen ist" "Prüfen, ob `nats-server` läuft und ob Adresse, Port und Zertifikat stimmen.";
+    P7166 Error "a NATS server that does not let this user do it" "Give a user, a token or a file that the server knows, and allow what `docs/reference/campaign-queue.md` lists."
+        "ein NATS-Server, der diesen Benutzer nicht lässt" "Einen Benutzer, ein Token oder eine Datei angeben, die der Server kennt, und erlauben, was `docs/reference/campaign-queue.md` aufzählt.";
+    P7167 Error "a NATS server that cannot carry the campaign" "Start it with JetStream and enough room, and run each campaign once at a time; `docs/reference/campaign-queue.md` says what it needs."
+        "ein NATS-Server, der die Kampagne nicht tragen kann" "Ihn mit JetStream und genug Platz starten und jede Kampagne nur einmal zugleich ausführen; `docs/reference/campaign-queue.md` sagt, was nötig ist.";
+    P7168 Error "a campaign that a worker cannot run" "Use the same version of Sieben on all machines, and name the campaign as its run prints it."
+        "eine Kampagne, die ein Arbeiter nicht ausführen kann" "Auf allen Rechnern dieselbe Version von Sieben verwenden und die Kampagne so nennen, wie ihr Lauf sie ausgibt.";
+    P7169 Error "two results of the same scenarios that differ" "Take the worker that the message names away, and run the campaign again; if it is no stranger, report it as a mistake of Sieben."
+        "zwei Ergebnisse derselben Szenarien, die sich unterscheiden" "Den genannten Arbeiter entfernen und die Kampagne noch einmal ausführen; ist er kein fremder, es als Fehler von Sieben melden.";
 
     // 8xxx run time
     P8001 Error "the CPU went to STOP" "Read the diagnostic buffer: it names the block and the statement."

@@ -15,14 +15,15 @@ const ARROWS: &[(&str, &[&str])] = &[
     ("sim", &["cpu"]),
     ("ide", &["lang"]),
     ("campaign", &["sim"]),
+    ("farm", &["model"]),
     ("workspace", &["ide", "campaign", "sim", "cpu", "lang"]),
     ("comm", &["workspace"]),
     ("workbench", &["workspace"]),
-    ("app", &["workbench", "comm", "workspace", "campaign", "ide", "sim", "cpu", "lang", "jit"]),
+    ("app", &["workbench", "comm", "farm", "workspace", "campaign", "ide", "sim", "cpu", "lang", "jit"]),
 ];
 
 /// Rooms that may use files, network, time and processes; only they have an empty `clippy.toml`.
-const WITH_IO: &[&str] = &["crates/app", "crates/comm", "crates/workbench", "xtask"];
+const WITH_IO: &[&str] = &["crates/app", "crates/comm", "crates/farm", "crates/workbench", "xtask"];
 
 /// The only file with `unsafe`.
 const UNSAFE_ROOM: &str = "crates/jit";

@@ -16,7 +16,7 @@ const PAGE: &str = "ARCHITECTURE.md";
 const LANGUAGE: &str = "rooms";
 
 /// Crates whose rooms are drawn.
-const DRAWN: &[&str] = &["lang", "cpu", "app", "workspace"];
+const DRAWN: &[&str] = &["lang", "cpu", "app", "workspace", "farm"];
 
 /// The rooms of a crate as they are drawn, from the top.
 ///
