@@ -5,9 +5,12 @@ use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-use async_nats::jetstream::context::{AccountErrorKind, ContextBuilder, RequestErrorKind};
+use async_nats::client::RequestErrorKind;
+use async_nats::jetstream::context::ContextBuilder;
 use async_nats::jetstream::{Context, ErrorCode};
 use async_nats::{Client, ConnectError, ConnectErrorKind, ConnectOptions, Event, ServerError};
+
+use serde_json::Value;
 
 use crate::error::FarmError;
 use crate::server::{Login, Server};
@@ -129,16 +132,20 @@ impl Connection {
         Ok(connection)
     }
 
+    /// Asks the server about JetStream; what a server of 2.9 answers is more than the client reads itself.
     async fn has_jetstream(&self) -> Result<(), FarmError> {
-        let Err(error) = self.jetstream.query_account().await else { return Ok(()) };
         let none = || FarmError::NoJetStream { place: self.place.clone() };
-        match error.kind() {
-            AccountErrorKind::JetStream(error) if is_without_jetstream(error.error_code()) => Err(none()),
-            AccountErrorKind::JetStreamUnavailable => Err(none()),
-            _ => Err(match error.source().and_then(|source| source.downcast_ref::<async_nats::jetstream::context::RequestError>()) {
-                Some(request) if request.kind() == RequestErrorKind::NoResponders => none(),
-                _ => self.failed("answer", &error),
-            }),
+        let answer = match self.client.request("$JS.API.INFO", "".into()).await {
+            Ok(answer) => answer,
+            Err(error) if error.kind() == RequestErrorKind::NoResponders => return Err(none()),
+            Err(error) => return Err(self.failed("answer", &error)),
+        };
+        let answer: Value = serde_json::from_slice(&answer.payload).unwrap_or_default();
+        let error = &answer["error"];
+        match error["err_code"].as_u64() {
+            None => Ok(()),
+            Some(code) if is_without_jetstream(ErrorCode(code)) => Err(none()),
+            Some(_) => Err(FarmError::Refused { what: "answer", why: error["description"].as_str().unwrap_or_default().to_owned() }),
         }
     }
 
