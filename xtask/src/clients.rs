@@ -1,4 +1,4 @@
-//! `cargo xtask clients`: S7 clients and editors of other people, below `target/clients/`, for the tests that talk to them.
+//! `cargo xtask clients`: S7 clients, editors and servers of other people, below `target/clients/`, for the tests that talk to them.
 //!
 //! They are separate programs, some under licences that Sieben cannot take: no manifest and no lock file of the project names them, and nothing
 //! of theirs is linked with anything of ours.
@@ -64,6 +64,14 @@ pub const EDITORS: &[Client] = &[
     Client { name: "emacs", source: Source::Tool, package: "emacs-nox elpa-eglot", version: "any" },
 ];
 
+/// Servers that the tests start, each on a port of its own.
+pub const SERVERS: &[Client] = &[Client { name: "nats-server", source: Source::Tool, package: "nats-server", version: "any" }];
+
+/// Everything that is installed.
+fn all() -> impl Iterator<Item = &'static Client> {
+    CLIENTS.iter().chain(EDITORS).chain(SERVERS)
+}
+
 /// The folder of all clients.
 fn folder() -> PathBuf {
     workspace::root().join("target/clients")
@@ -88,18 +96,13 @@ pub fn run() -> Result<(), String> {
             .into_iter()
             .map(|is_kind| {
                 scope.spawn(move || {
-                    CLIENTS
-                        .iter()
-                        .chain(EDITORS)
-                        .filter(|client| is_kind(client.source))
-                        .map(|client| (client, client.install()))
-                        .collect::<Vec<_>>()
+                    all().filter(|client| is_kind(client.source)).map(|client| (client, client.install())).collect::<Vec<_>>()
                 })
             })
             .collect();
         threads.into_iter().flat_map(|thread| thread.join().expect("an installation does not panic")).collect()
     });
-    for client in CLIENTS.iter().chain(EDITORS) {
+    for client in all() {
         let outcome = outcomes.iter().find(|(found, _)| found.name == client.name).map(|(_, outcome)| outcome);
         match outcome {
             Some(Ok(())) => println!("{:14} {} {}", client.name, client.package, client.version),
@@ -201,6 +204,12 @@ mod tests {
         let page = fs::read_to_string(workspace::root().join("docs/how-to/editors.md")).expect("the page is there");
         let neovim = EDITORS.iter().find(|editor| editor.name == "neovim").expect("it is tried");
         assert!(page.contains(&format!("Neovim {}", neovim.version)) && page.contains("Emacs"), "{page}");
+    }
+
+    #[test]
+    fn the_page_about_many_machines_names_the_servers() {
+        let page = fs::read_to_string(workspace::root().join("docs/reference/campaign-queue.md")).expect("the page is there");
+        assert!(SERVERS.iter().all(|server| page.contains(server.name)), "{page}");
     }
 
     #[test]

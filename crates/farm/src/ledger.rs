@@ -32,7 +32,7 @@ pub trait Ledger {
     fn next(&mut self) -> Option<Range<u64>>;
     /// What was sent, and has no result.
     fn missing(&mut self) -> Vec<Range<u64>>;
-    /// Takes the result of a range.
+    /// Takes the result of a range, and keeps what it says is new: the server does not.
     ///
     /// The range may be a part of one that was sent, because a worker splits what comes to it for the third time.
     /// What the ledger does not take stays missing, and is sent again.

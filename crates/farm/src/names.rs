@@ -47,6 +47,11 @@ impl Names {
         })
     }
 
+    /// The subject on which a worker says that it runs a scenario alone; the bucket keeps it.
+    pub(crate) fn mark(&self, number: u64) -> String {
+        format!("$O.{}.C.alone.{number}", self.bucket)
+    }
+
     /// The names of the campaign whose ranges are in a stream; `None` if it is a stream of something else.
     pub(crate) fn of_stream(stream: &str) -> Option<Self> {
         Self::of(stream.strip_prefix("SIEBEN_")?.strip_suffix("_JOBS")?)

@@ -61,6 +61,7 @@ pub const TARGETS: &[Target] = &[
     Target { name: "sim-recording", fuzz: recording, corpus: "recording", fences: &[], words: no_words },
     Target { name: "campaign-file", fuzz: sieben_campaign::fuzz::fuzz, corpus: "campaign", fences: &[], words: campaign_words },
     Target { name: "fleet-file", fuzz: sieben_workspace::fleet::fuzz::fuzz, corpus: "fleet", fences: &[], words: fleet_words },
+    Target { name: "farm-messages", fuzz: sieben_farm::fuzz::fuzz, corpus: "farm", fences: &[], words: farm_words },
     Target { name: "workspace-settings", fuzz: settings, corpus: "settings", fences: &[], words: settings_words },
     Target { name: "workspace-control", fuzz: sieben_workspace::control::fuzz, corpus: "control", fences: &[], words: control_words },
     Target { name: "page-messages", fuzz: sieben_workbench::live::fuzz::fuzz, corpus: "page", fences: &[], words: page_words },
@@ -335,6 +336,10 @@ fn fleet_words() -> Vec<&'static str> {
     let words = "[fleet] [[controller]] [[link]] name= count= program= cycle= seed= from= to= latency= kind= \"station\" \"station[i].QB 0\" \"station[i+1].IB 0\" \
         \"station[3].Q 0.0\" \"master.IW 0\" \"10ms\" \"1us\" \"io\" \"s7\" 1 0 -1 100000 1e999 [ ] i+ i- . \"";
     words.split_whitespace().chain(["\n"]).collect()
+/// Words of the messages between a run and its workers.
+fn farm_words() -> Vec<&'static str> {
+    let words = "result whole given-up object new settled over meaning sha256 SIEBEN_ _JOBS 0 1 18446744073709551615 1f00 k3-1 worker-7";
+    words.split_whitespace().chain([" ", "\n", "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855"]).collect()
 }
 
 fn settings_words() -> Vec<&'static str> {

@@ -7,6 +7,7 @@ use std::time::{Duration, Instant};
 use async_nats::jetstream::context::{PublishError, PublishErrorKind};
 use async_nats::jetstream::message::PublishMessage;
 use async_nats::jetstream::object_store::ObjectStore;
+use async_nats::jetstream::stream::LastRawMessageErrorKind;
 use async_nats::jetstream::{AckKind, Message};
 use tokio::time::{sleep, timeout};
 
@@ -20,6 +21,9 @@ const MESSAGE_BYTES_MAX: usize = 512 << 10;
 
 /// Bytes of a message that are no result.
 const LINE: usize = 1 << 10;
+
+/// What is said of a scenario that is run alone.
+const MARKED: &str = "alone";
 
 /// The pause before what failed is tried again.
 const PAUSE: Duration = Duration::from_millis(300);
@@ -109,12 +113,46 @@ impl Post {
     async fn object(&self, name: &str, bytes: &[u8]) -> Result<(), String> {
         let begun = Instant::now();
         loop {
+            // Stored, and the answer was lost: its name has its hash.
+            if let Ok(Ok(info)) = timeout(ANSWER, self.bucket.info(name)).await
+                && !info.deleted
+                && info.size == bytes.len()
+            {
+                return Ok(());
+            }
             match store::put(&self.connection, &self.bucket, name, None, bytes).await {
                 Ok(()) => return Ok(()),
                 Err(error) if self.gives_up(begun, self.patience) => return Err(error.to_string()),
                 Err(_) => sleep(PAUSE).await,
             }
         }
+    }
+
+    /// Says on the server that a scenario is run alone now; whether a worker had said so before, and did not come back.
+    pub(super) async fn marks(&self, job: &Job) -> Result<bool, String> {
+        let silent = |_| "the server does not answer".to_owned();
+        let bucket =
+            self.connection.jetstream.get_stream_no_info(format!("OBJ_{}", self.names.bucket)).await.map_err(|error| chain(&error))?;
+        let was_marked =
+            match timeout(ANSWER, bucket.get_last_raw_message_by_subject(&self.names.mark(job.range.start))).await.map_err(silent)? {
+                Ok(message) => message.payload == MARKED,
+                Err(error) if error.kind() == LastRawMessageErrorKind::NoMessageFound => false,
+                Err(error) => return Err(chain(&error)),
+            };
+        if !was_marked {
+            timeout(ANSWER, self.mark(job, MARKED)).await.map_err(silent)?.map_err(|error| chain(&error))?;
+        }
+        Ok(was_marked)
+    }
+
+    /// Takes back what was said.
+    pub(super) async fn unmarks(&self, job: &Job) {
+        let _ = timeout(ANSWER, self.mark(job, "")).await;
+    }
+
+    async fn mark(&self, job: &Job, text: &'static str) -> Result<(), PublishError> {
+        let message = PublishMessage::build().payload(text.into());
+        self.connection.jetstream.send_publish(self.names.mark(job.range.start), message).await?.await.map(|_| ())
     }
 
     /// Queues the two halves of a range that came too often, and takes it out of the queue.

@@ -1,6 +1,6 @@
 //! One campaign at a worker: from the first range to the last.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, VecDeque};
 use std::pin::Pin;
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
@@ -35,8 +35,9 @@ const TICK: Duration = Duration::from_millis(50);
 /// The delivery with which a range is split: two workers had it and did not answer.
 const SPLIT_AT: i64 = 3;
 
-/// The delivery with which a single scenario is given up: three workers had it and did not answer.
-const GIVEN_UP_AT: i64 = 4;
+/// The delivery with which a single scenario is run alone in its worker, which says so before: if that worker does not answer either, the scenario
+/// killed it, and not another one that ran beside it.
+const ALONE_AT: i64 = 3;
 
 /// How a worker left a campaign.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,6 +56,10 @@ pub(super) struct Campaign {
     state: Subscriber,
     /// What is held, by the number that the threads know.
     held: HashMap<u64, Held>,
+    /// Scenarios that are to be run alone.
+    suspects: VecDeque<u64>,
+    /// The one that is.
+    alone: Option<u64>,
     /// What is being sent.
     posts: FuturesUnordered<Pin<Box<dyn Future<Output = Sent>>>>,
     /// The open request for ranges.
@@ -77,6 +82,8 @@ impl Campaign {
             post,
             state,
             held: HashMap::new(),
+            suspects: VecDeque::new(),
+            alone: None,
             posts: FuturesUnordered::new(),
             pull: None,
             pulled: 0,
@@ -143,6 +150,10 @@ impl Campaign {
     async fn asks(&mut self, worker: &mut Worker<'_>) {
         let is_waiting = self.pause.is_some_and(|until| Instant::now() < until);
         if self.pull.is_some() || self.ending.is_some() || is_waiting || worker.connection.away().is_some() {
+            return;
+        }
+        if !self.suspects.is_empty() || self.alone.is_some() {
+            self.begins_alone(worker).await;
             return;
         }
         // A few more than there are threads, so that none of them waits for the network.
@@ -213,14 +224,42 @@ impl Campaign {
                 held.has_begun.store(true, Ordering::Relaxed);
                 self.posts.push(Box::pin(self.post.clone().halves(key, held, halves)));
             }
-            halves => worker.pool.put(Task::Run(Running {
-                key,
-                range: held.job.range.clone(),
-                work: self.work.clone(),
-                stop: self.post.stop.clone(),
-                has_begun: held.has_begun.clone(),
-                is_given_up: halves.is_none() && delivered >= GIVEN_UP_AT,
-            })),
+            None if delivered >= ALONE_AT => self.suspects.push_back(key),
+            _ => self.begins(worker, key, &held, false),
+        }
+    }
+
+    fn begins(&self, worker: &Worker<'_>, key: u64, held: &Held, is_given_up: bool) {
+        worker.pool.put(Task::Run(Running {
+            key,
+            range: held.job.range.clone(),
+            work: self.work.clone(),
+            stop: self.post.stop.clone(),
+            has_begun: held.has_begun.clone(),
+            is_given_up,
+        }));
+    }
+
+    /// Begins the next scenario that is to be run alone, once nothing else is held.
+    async fn begins_alone(&mut self, worker: &mut Worker<'_>) {
+        if self.alone.is_some() || self.held.len() > self.suspects.len() {
+            return;
+        }
+        let Some(key) = self.suspects.front().copied() else { return };
+        let Some(held) = self.held.get(&key).cloned() else {
+            self.suspects.pop_front();
+            return;
+        };
+        match self.post.marks(&held.job).await {
+            Ok(was_marked) => {
+                self.suspects.pop_front();
+                self.alone = Some(key);
+                self.begins(worker, key, &held, was_marked);
+            }
+            Err(why) => {
+                worker.trouble = why;
+                self.pause = Some(Instant::now() + PAUSE);
+            }
         }
     }
 
@@ -229,9 +268,13 @@ impl Campaign {
         let Answer::Ran(key, ran) = answer else { return None };
         // What is not held is of a campaign that was left.
         let held = self.held.get(&key)?.clone();
+        let is_alone = self.alone == Some(key);
         match ran {
             Ran::Done(bytes, is_given_up) => self.posts.push(Box::pin(self.post.clone().result(key, held, bytes, is_given_up))),
             Ran::Stopped => {
+                if is_alone {
+                    self.post.unmarks(&held.job).await;
+                }
                 held.give_back(None).await;
                 self.held.remove(&key);
             }
@@ -241,6 +284,9 @@ impl Campaign {
                 held.give_back(Some(self.post.lease / 4)).await;
                 self.held.remove(&key);
             }
+        }
+        if is_alone {
+            self.alone = None;
         }
         None
     }
