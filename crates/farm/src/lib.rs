@@ -16,7 +16,7 @@ mod ranges;
 mod run;
 mod server;
 mod store;
-mod work;
+mod worker;
 mod workers;
 
 pub use error::FarmError;
@@ -25,5 +25,5 @@ pub use options::Options;
 pub use probe::ready;
 pub use run::run;
 pub use server::Server;
-pub use work::{Done, News, Offer, Work, WorkerOrders, work};
+pub use worker::{Done, News, Offer, Opener, Work, WorkerOrders, work};
 pub use workers::Workers;

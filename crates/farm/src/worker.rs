@@ -122,14 +122,14 @@ pub struct Done {
 }
 
 /// Makes a campaign ready to be run.
-pub(crate) type Opener<'a> = dyn Fn(&Offer) -> Result<Arc<dyn Work>, String> + Sync + 'a;
+pub type Opener<'a> = dyn Fn(&Offer) -> Result<Arc<dyn Work>, String> + Sync + 'a;
 
 /// Works until it is over, or for too long there is nothing to do.
 pub fn work(
     server: &Server,
     options: &Options,
     orders: &WorkerOrders,
-    open: &(dyn Fn(&Offer) -> Result<Arc<dyn Work>, String> + Sync),
+    open: &Opener<'_>,
     is_over: &(dyn Fn() -> bool + Sync),
     tell: &mut dyn FnMut(&News),
 ) -> Result<Done, FarmError> {
