@@ -21,7 +21,7 @@ use crate::project;
 use crate::{files, language, output};
 
 /// What every verb that compiles a program takes.
-#[derive(Args, Clone, Debug)]
+#[derive(Args, Clone, Debug, Default)]
 pub(crate) struct ProgramArguments {
     /// CPU type: areas, accumulators, limits [default: the project's, else 315-2PN/DP]
     #[arg(long, value_name = "NAME")]
@@ -42,6 +42,14 @@ pub(crate) struct ProgramArguments {
     encoding: EncodingArgument,
 }
 
+impl ProgramArguments {
+    /// Whether the command line says something about the program that its files do not say.
+    pub(crate) fn says_more(&self) -> bool {
+        let Self { cpu, mnemonics, dialect, extended, profile, encoding: _ } = self;
+        cpu.is_some() || mnemonics.is_some() || dialect.is_some() || *extended || profile.is_some()
+    }
+}
+
 /// The dialect with this name.
 pub(crate) fn dialect_argument(text: &str) -> Result<Dialect, String> {
     Dialect::from_name(text).ok_or_else(|| {
@@ -51,7 +59,7 @@ pub(crate) fn dialect_argument(text: &str) -> Result<Dialect, String> {
 }
 
 /// How the bytes of the files mean characters.
-#[derive(Args, Clone, Copy, Debug)]
+#[derive(Args, Clone, Copy, Debug, Default)]
 pub(crate) struct EncodingArgument {
     /// Encoding of the files without a byte order mark: utf-8, utf-16le, utf-16be, cp1250, cp1251 or cp1252 [default: guessed from each file]
     #[arg(long, value_name = "NAME", value_parser = encoding_argument)]

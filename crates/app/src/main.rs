@@ -113,6 +113,8 @@ enum Verb {
     Campaign(Box<commands::campaign::Arguments>),
     /// Run very many controllers at once, coupled by links
     Fleet(Box<commands::fleet::Arguments>),
+    /// Take scenarios of campaigns that other machines run, through a NATS server
+    Worker(Box<commands::worker::Arguments>),
     /// Record values over many scans and draw them as a timing diagram
     Trace(Box<commands::trace::Arguments>),
     /// Write down what goes into a program and what comes out, to hold another program against it
@@ -176,6 +178,7 @@ fn run(mut line: CommandLine) -> Exit {
         Some(Verb::Test(arguments)) => commands::test::run(&arguments),
         Some(Verb::Campaign(arguments)) => commands::campaign::run(&arguments),
         Some(Verb::Fleet(arguments)) => commands::fleet::run(&arguments),
+        Some(Verb::Worker(arguments)) => commands::worker::run(&arguments),
         Some(Verb::Trace(arguments)) => commands::trace::run(&arguments),
         Some(Verb::Record(arguments)) => commands::record::run(&arguments),
         Some(Verb::Explain(arguments)) => commands::explain::run(&arguments),

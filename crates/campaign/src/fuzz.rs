@@ -4,6 +4,7 @@ use sieben_model::source::FileId;
 
 use crate::given::Given;
 use crate::numbering::Numbering;
+use crate::packed::Packed;
 use crate::parse::parse;
 
 /// Longest time of a scenario that is drawn: a walk has a change at each of its times.
@@ -11,6 +12,9 @@ const FOR_MAX_US: u64 = 3_600_000_000;
 
 /// Reads the input, and makes some of its scenarios twice.
 pub fn fuzz(data: &[u8]) {
+    if let Some(packed) = Packed::read(data) {
+        assert_eq!(Packed::read(&packed.bytes()), Some(packed), "it is read as it was written");
+    }
     let text = String::from_utf8_lossy(data);
     let (spec, diagnostics) = parse(&text, FileId(0));
     assert_eq!(spec.is_some(), diagnostics.is_empty(), "without a diagnostic there is a campaign");

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
+use serde_json::Value as Json;
 use sha2::{Digest, Sha256};
 
 /// Rises with every change of what a program does or what a number of a scenario means: results of another one are not those of this one.
@@ -37,10 +38,30 @@ impl Bundle {
     pub fn bytes(&self) -> Vec<u8> {
         let mut bytes = b"sieben bundle 1\n".to_vec();
         for (name, text) in &self.files {
-            bytes.extend(format!("{}\n{}\n", name.escape_default(), text.len()).as_bytes());
+            bytes.extend(format!("{}\n{}\n", Json::from(name.as_str()), text.len()).as_bytes());
             bytes.extend(text.as_bytes());
         }
         bytes
+    }
+
+    /// What was written by [`Self::bytes`].
+    pub fn read(bytes: &[u8]) -> Option<Self> {
+        let mut rest = std::str::from_utf8(bytes).ok()?.strip_prefix("sieben bundle 1\n")?;
+        let mut files = BTreeMap::new();
+        while !rest.is_empty() {
+            let (name, after) = rest.split_once('\n')?;
+            let (length, after) = after.split_once('\n')?;
+            let name = serde_json::from_str(name).ok()?;
+            let (text, after) = after.split_at_checked(length.parse().ok()?)?;
+            files.insert(name, text.to_owned());
+            rest = after;
+        }
+        Some(Self { files })
+    }
+
+    /// The files with their names, in order.
+    pub fn files(&self) -> impl Iterator<Item = (&str, &str)> {
+        self.files.iter().map(|(name, text)| (name.as_str(), text.as_str()))
     }
 
     /// What identifies a campaign with these programs.
@@ -94,5 +115,12 @@ mod tests {
         ];
         assert!(others.iter().all(|other| other.campaign != identity.campaign));
         assert_eq!(others[1].program, identity.program);
+        let whole = bundle("// Größe\n");
+        assert_eq!(Bundle::read(&whole.bytes()), Some(whole.clone()));
+        let bytes = whole.bytes();
+        for cut in 0..bytes.len() {
+            // A file at the end may be left out whole; nothing else can be cut off.
+            assert_ne!(Bundle::read(&bytes[..cut]), Some(whole.clone()));
+        }
     }
 }

@@ -11,6 +11,7 @@ pub mod histogram;
 pub mod identity;
 pub mod judge;
 pub mod numbering;
+pub mod packed;
 pub mod parse;
 pub mod part;
 pub mod ranges;

@@ -775,6 +775,16 @@ problems! {
         "ein Programm, das eine Kampagne nicht verwenden kann" "Den Pfad in der Datei der Kampagne berichtigen; er zählt vom Ordner dieser Datei an.";
     P7164 Warning "an expression of a campaign that names nothing" "Write what the program does into it; a property of constants holds, or breaks, whatever happens."
         "ein Ausdruck einer Kampagne, der nichts benennt" "Hineinschreiben, was das Programm tut; eine Eigenschaft aus Konstanten gilt oder bricht, was auch geschieht.";
+    P7165 Error "a NATS server that cannot be reached" "Look whether `nats-server` runs, and whether the address, the port and the certificate are right."
+        "ein NATS-Server, der nicht zu erreichen ist" "Prüfen, ob `nats-server` läuft und ob Adresse, Port und Zertifikat stimmen.";
+    P7166 Error "a NATS server that does not let this user do it" "Give a user, a token or a file that the server knows, and allow what `docs/reference/campaign-queue.md` lists."
+        "ein NATS-Server, der diesen Benutzer nicht lässt" "Einen Benutzer, ein Token oder eine Datei angeben, die der Server kennt, und erlauben, was `docs/reference/campaign-queue.md` aufzählt.";
+    P7167 Error "a NATS server that cannot carry the campaign" "Start it with JetStream and enough room, and run each campaign once at a time; `docs/reference/campaign-queue.md` says what it needs."
+        "ein NATS-Server, der die Kampagne nicht tragen kann" "Ihn mit JetStream und genug Platz starten und jede Kampagne nur einmal zugleich ausführen; `docs/reference/campaign-queue.md` sagt, was nötig ist.";
+    P7168 Error "a campaign that a worker cannot run" "Use the same version of Sieben on all machines, and name the campaign as its run prints it."
+        "eine Kampagne, die ein Arbeiter nicht ausführen kann" "Auf allen Rechnern dieselbe Version von Sieben verwenden und die Kampagne so nennen, wie ihr Lauf sie ausgibt.";
+    P7169 Error "two results of the same scenarios that differ" "Take the worker that the message names away, and run the campaign again; if it is no stranger, report it as a mistake of Sieben."
+        "zwei Ergebnisse derselben Szenarien, die sich unterscheiden" "Den genannten Arbeiter entfernen und die Kampagne noch einmal ausführen; ist er kein fremder, es als Fehler von Sieben melden.";
     P7170 Error "a fleet whose file cannot be read" "Write it as `docs/reference/fleet-files.md` shows it: TOML, in UTF-8."
         "eine Flotte, deren Datei nicht gelesen werden kann" "Sie schreiben, wie `docs/reference/fleet-files.md` es zeigt: TOML, in UTF-8.";
     P7171 Error "a key or value of a fleet that is not understood" "Correct it; `docs/reference/fleet-files.md` lists all keys and what they take."
@@ -795,16 +805,6 @@ problems! {
         "ein Ergebnis einer Kampagne, das nicht gelesen werden kann" "Eine Parquet-Datei nennen, die `sieben campaign run --out` oder `merge` geschrieben hat.";
     P7179 Error "a scenario that the engines do not agree on" "This is our mistake: please report the scenario and the program."
         "ein Szenario, bei dem sich die Ausführungen unterscheiden" "Das ist unser Fehler: bitte das Szenario und das Programm melden.";
-    P7165 Error "a NATS server that cannot be reached" "Look whether `nats-server` runs, and whether the address, the port and the certificate are right."
-        "ein NATS-Server, der nicht zu erreichen ist" "Prüfen, ob `nats-server` läuft und ob Adresse, Port und Zertifikat stimmen.";
-    P7166 Error "a NATS server that does not let this user do it" "Give a user, a token or a file that the server knows, and allow what `docs/reference/campaign-queue.md` lists."
-        "ein NATS-Server, der diesen Benutzer nicht lässt" "Einen Benutzer, ein Token oder eine Datei angeben, die der Server kennt, und erlauben, was `docs/reference/campaign-queue.md` aufzählt.";
-    P7167 Error "a NATS server that cannot carry the campaign" "Start it with JetStream and enough room, and run each campaign once at a time; `docs/reference/campaign-queue.md` says what it needs."
-        "ein NATS-Server, der die Kampagne nicht tragen kann" "Ihn mit JetStream und genug Platz starten und jede Kampagne nur einmal zugleich ausführen; `docs/reference/campaign-queue.md` sagt, was nötig ist.";
-    P7168 Error "a campaign that a worker cannot run" "Use the same version of Sieben on all machines, and name the campaign as its run prints it."
-        "eine Kampagne, die ein Arbeiter nicht ausführen kann" "Auf allen Rechnern dieselbe Version von Sieben verwenden und die Kampagne so nennen, wie ihr Lauf sie ausgibt.";
-    P7169 Error "two results of the same scenarios that differ" "Take the worker that the message names away, and run the campaign again; if it is no stranger, report it as a mistake of Sieben."
-        "zwei Ergebnisse derselben Szenarien, die sich unterscheiden" "Den genannten Arbeiter entfernen und die Kampagne noch einmal ausführen; ist er kein fremder, es als Fehler von Sieben melden.";
 
     // 8xxx run time
     P8001 Error "the CPU went to STOP" "Read the diagnostic buffer: it names the block and the statement."

@@ -336,6 +336,8 @@ fn fleet_words() -> Vec<&'static str> {
     let words = "[fleet] [[controller]] [[link]] name= count= program= cycle= seed= from= to= latency= kind= \"station\" \"station[i].QB 0\" \"station[i+1].IB 0\" \
         \"station[3].Q 0.0\" \"master.IW 0\" \"10ms\" \"1us\" \"io\" \"s7\" 1 0 -1 100000 1e999 [ ] i+ i- . \"";
     words.split_whitespace().chain(["\n"]).collect()
+}
+
 /// Words of the messages between a run and its workers.
 fn farm_words() -> Vec<&'static str> {
     let words = "result whole given-up object new settled over meaning sha256 SIEBEN_ _JOBS 0 1 18446744073709551615 1f00 k3-1 worker-7";

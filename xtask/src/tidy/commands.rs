@@ -50,8 +50,9 @@ fn judge(root: &Path, files: &[TextFile], command: &str) -> Result<(), String> {
 
 fn verb(root: &Path, files: &[TextFile], words: &[&str]) -> Result<(), String> {
     let Some((verb, arguments)) = words.split_first() else { return Ok(()) };
-    let known =
-        verb.starts_with('-') || *verb == "help" || files.iter().any(|file| file.path == format!("{VERBS}{}.rs", verb.replace('-', "_")));
+    let name = verb.replace('-', "_");
+    let places = [format!("{VERBS}{name}.rs"), format!("{VERBS}{name}/mod.rs")];
+    let known = verb.starts_with('-') || *verb == "help" || files.iter().any(|file| places.contains(&file.path));
     if !known {
         return Err(format!("`sieben {verb}` is no verb: there is no {VERBS}{verb}.rs"));
     }

@@ -117,6 +117,11 @@ impl<'s> Collector<'s> {
         Ok(())
     }
 
+    /// So many ranges came once more.
+    pub(crate) fn count_duplicates(&mut self, count: u64) {
+        self.collected.duplicates += count;
+    }
+
     /// What all came to so far.
     pub(crate) fn collected(&self) -> &Collected {
         &self.collected

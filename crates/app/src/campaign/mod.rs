@@ -2,6 +2,8 @@
 
 pub(crate) mod collected;
 pub(crate) mod failing;
+#[cfg(feature = "nats")]
+pub(crate) mod farmed;
 #[cfg(feature = "parquet")]
 pub(crate) mod files;
 pub(crate) mod said;
@@ -10,3 +12,8 @@ mod summary;
 mod threads;
 
 pub(crate) use threads::{Ended, Orders, run};
+
+/// The scenario at which the process aborts, as if it were killed: for tests.
+pub(crate) fn abort() -> Option<u64> {
+    std::env::var("SIEBEN_CAMPAIGN_ABORT").ok()?.parse().ok()
+}

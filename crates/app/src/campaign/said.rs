@@ -30,6 +30,13 @@ pub(crate) struct Run<'a> {
     pub(crate) took: Duration,
 }
 
+/// What a worker is called: its computer and process.
+#[cfg(feature = "nats")]
+pub(crate) fn computer() -> String {
+    let name = rustix::system::uname().nodename().to_string_lossy().into_owned();
+    format!("{name}/{}", std::process::id())
+}
+
 /// `1 scenario`, `128 scenarios`.
 pub(crate) fn scenarios(count: u64) -> String {
     several(count, "scenario")

@@ -25,7 +25,7 @@ const WINDOW: usize = 4;
 /// Progress is told so often.
 const TELL: Duration = Duration::from_millis(100);
 /// One range of so many runs a second time, in the interpreter.
-const CHECKED: u64 = 256;
+pub(super) const CHECKED: u64 = 256;
 
 /// What the command line says.
 pub(crate) struct Orders<'a> {

@@ -25,6 +25,7 @@ pub(crate) mod tags;
 pub(crate) mod test;
 pub(crate) mod top;
 pub(crate) mod trace;
+pub(crate) mod worker;
 
 use sieben_workspace::finding;
 use sieben_workspace::project::Build;

@@ -516,6 +516,32 @@ pub(super) const SENTENCES: &[Row] = &[
     ("Another seed than that of the file", "Ein anderer Startwert als der der Datei"),
     ("Print it as one JSON object", "Als ein JSON-Objekt ausgeben"),
     ("Threads [default: one for each processor]", "Threads [Standard: einer je Prozessor]"),
+    (
+        "Threads of this computer [default: one for each processor, with `--nats` none]",
+        "Threads dieses Rechners [Standard: einer je Prozessor, mit `--nats` keiner]",
+    ),
+    (
+        "Take scenarios through the NATS server at this address [default: that of SIEBEN_NATS]",
+        "Szenarien über den NATS-Server mit dieser Adresse nehmen [Standard: die von SIEBEN_NATS]",
+    ),
+    ("A file with the credentials for the server", "Eine Datei mit den Zugangsdaten für den Server"),
+    (
+        "A file with the certificate of the authority that the server belongs to",
+        "Eine Datei mit dem Zertifikat der Stelle, zu der der Server gehört",
+    ),
+    // worker
+    (
+        "Take scenarios of campaigns that other machines run, through a NATS server",
+        "Szenarien von Kampagnen, die andere Rechner ausführen, über einen NATS-Server nehmen",
+    ),
+    (
+        "Take scenarios of campaigns through a NATS server, and send back what comes of them",
+        "Szenarien von Kampagnen über einen NATS-Server nehmen und zurücksenden, was herauskommt",
+    ),
+    ("Work for this campaign only", "Nur für diese Kampagne arbeiten"),
+    ("End after so long without work", "Nach so langer Zeit ohne Arbeit enden"),
+    ("Only say whether the server can be used, by the exit code", "Nur durch den Exitcode sagen, ob der Server verwendet werden kann"),
+    ("Which engine runs the programs", "Welche Engine die Programme ausführt"),
     ("Only these scenarios, both of them too", "Nur diese Szenarien, beide Grenzen eingeschlossen"),
     (
         "Scenarios that a thread takes at once [default: as many as take a quarter of a second]",
@@ -712,6 +738,17 @@ pub(super) const BELOW: &[Row] = &[
     ("all of it, on all processors", "alles, auf allen Prozessoren"),
     ("the first thousand", "die ersten tausend"),
     ("the failure with the least number", "der Fehlschlag mit der kleinsten Nummer"),
+    ("until Ctrl+C", "bis Strg+C"),
+    ("as long as there is work", "solange es Arbeit gibt"),
+    ("the password in no list of processes", "das Passwort in keiner Prozessliste"),
+    (
+        "The program comes with the campaign: nothing but this binary is needed.",
+        "Das Programm kommt mit der Kampagne: Nichts als diese Binärdatei wird gebraucht.",
+    ),
+    (
+        "Exit codes: 0 ended, 2 usage, or a server that cannot be used.",
+        "Exitcodes: 0 zu Ende, 2 Aufruf, oder ein Server, der nicht verwendet werden kann.",
+    ),
     ("print the small scenario", "das kleine Szenario ausgeben"),
     ("a file for `sieben test`, `trace` and `step`", "eine Datei für `sieben test`, `trace` und `step`"),
     (

@@ -11,7 +11,7 @@ pub(crate) mod watching;
 use std::sync::{Arc, OnceLock};
 
 use sieben_campaign::given::Given;
-use sieben_campaign::identity::Identity;
+use sieben_campaign::identity::{Bundle, Identity};
 use sieben_campaign::numbering::Numbering;
 use sieben_campaign::row::Row;
 use sieben_campaign::spec::Spec;
@@ -38,6 +38,8 @@ pub struct Campaign {
     pub numbering: Numbering,
     /// What identifies it.
     pub identity: Identity,
+    /// All files of its programs.
+    pub bundle: Bundle,
     /// The programs that each scenario runs on.
     pub programs: Vec<Subject>,
     /// What its user is told although it can be run.
@@ -107,6 +109,11 @@ impl Campaign {
     /// What the bits of `[exhaustive]` are called, the first of the number first.
     pub fn bits(&self) -> impl Iterator<Item = &str> {
         self.programs[0].bits.iter().map(Name::text)
+    }
+
+    /// The row of a scenario that could not be run, and why.
+    pub fn not_run(&self, number: u64, message: String) -> Row {
+        running::not_run(self, &self.given(number), message)
     }
 
     /// Runs a scenario on all programs, as long as it may go on.

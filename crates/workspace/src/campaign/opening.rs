@@ -70,7 +70,7 @@ pub fn open(spec: Spec, text: &str, files: &dyn Files, overrides: Overrides, eng
     let numbering = Numbering::new(&spec, bits).map_err(|diagnostic| Failed::Spec(vec![*diagnostic]))?;
     let identity = bundle.identity(text, spec.seed);
     let warnings = watching::constants(&spec);
-    Ok(Campaign { spec, numbering, identity, programs, warnings, recording })
+    Ok(Campaign { spec, numbering, identity, bundle, programs, warnings, recording })
 }
 
 /// The recording that a campaign replays.

@@ -139,10 +139,9 @@ pub(super) fn properties(spec: &Spec) -> Vec<PropertyLine> {
         .collect()
 }
 
-/// Runs a scenario on all programs of a campaign.
-pub(super) fn run(campaign: &Campaign, given: &Given, way: Way, may_go_on: &dyn Fn() -> bool) -> Result<Row, u64> {
-    let spec = &campaign.spec;
-    let mut row = Row {
+/// The row of a scenario that nothing has come of yet.
+fn blank(spec: &Spec, given: &Given) -> Row {
+    Row {
         scenario: given.number,
         seed: given.seed,
         verdict: Verdict::Pass,
@@ -158,7 +157,18 @@ pub(super) fn run(campaign: &Campaign, given: &Given, way: Way, may_go_on: &dyn 
         measures: vec![None; spec.measures.len()],
         came: vec![false; spec.properties.len()],
         message: None,
-    };
+    }
+}
+
+/// The row of a scenario that could not be run.
+pub(super) fn not_run(campaign: &Campaign, given: &Given, message: String) -> Row {
+    Row { verdict: Verdict::Error, message: Some(message), ..blank(&campaign.spec, given) }
+}
+
+/// Runs a scenario on all programs of a campaign.
+pub(super) fn run(campaign: &Campaign, given: &Given, way: Way, may_go_on: &dyn Fn() -> bool) -> Result<Row, u64> {
+    let spec = &campaign.spec;
+    let mut row = blank(spec, given);
     let mut kept = None;
     for (index, subject) in campaign.programs.iter().enumerate() {
         let mut looking = Looking::new(spec, subject, kept.take(), campaign.programs.len() > 1, may_go_on);

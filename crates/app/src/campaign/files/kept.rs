@@ -64,6 +64,11 @@ impl Kept {
         Ok(Start::Run(Box::new(Self { result: wanted.result.to_path_buf(), ledger }), left))
     }
 
+    /// What tells the bytes of each range that is there.
+    pub(crate) fn digests(&self) -> Vec<(Range<u64>, String)> {
+        self.ledger.digests()
+    }
+
     /// Where what comes of ranges is kept.
     pub(crate) fn store(&mut self) -> &mut dyn Store {
         &mut self.ledger

@@ -131,6 +131,16 @@ impl Ledger {
         Ok(left)
     }
 
+    /// What tells the bytes of each range that is there.
+    pub(super) fn digests(&self) -> Vec<(Range<u64>, String)> {
+        let of = |path: &PathBuf| {
+            let mut parts = path.file_stem()?.to_str()?.split('-');
+            let (from, last) = (parts.next()?.parse().ok()?, parts.next()?.parse::<u64>().ok()?);
+            Some((from..last + 1, parts.next()?.to_owned()))
+        };
+        self.parts.values().filter_map(of).collect()
+    }
+
     /// A file of a range, if it is whole.
     fn read(&self, path: &Path) -> Option<Part> {
         let name = path.file_stem()?.to_str()?;

@@ -8,5 +8,7 @@ mod merging;
 mod part_file;
 mod result_file;
 
+pub(crate) use columns::Columns;
 pub(crate) use kept::{Kept, Start, Wanted};
 pub(crate) use merging::merge;
+pub(crate) use part_file::{decode, digest, encode};

@@ -2,6 +2,7 @@
 
 use std::ffi::OsString;
 use std::num::NonZero;
+use std::ops::Range;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -44,7 +45,7 @@ pub(super) struct Arguments {
     spec: PathBuf,
     #[command(flatten)]
     program: ProgramArguments,
-    /// Threads [default: one for each processor]
+    /// Threads of this computer [default: one for each processor, with `--nats` none]
     #[arg(long, value_name = "N")]
     workers: Option<NonZero<usize>>,
     /// Another seed than that of the file
@@ -68,6 +69,9 @@ pub(super) struct Arguments {
     /// Go on with what an earlier run left in FILE.part; without it, begin
     #[arg(long, requires = "out")]
     resume: bool,
+    #[command(flatten)]
+    #[cfg(feature = "nats")]
+    server: crate::campaign::farmed::ServerArguments,
     /// Which engine runs the program
     #[arg(long, value_name = "ENGINE", default_value = "auto")]
     engine: EngineArgument,
@@ -99,9 +103,6 @@ fn numbers(text: &str) -> Result<(u64, u64), String> {
     range.filter(|(from, to)| from <= to).ok_or_else(|| "write the first and the last number: `0..999`".to_owned())
 }
 
-/// The scenario at which the process aborts, as if it were killed: for tests.
-const ABORT: &str = "SIEBEN_CAMPAIGN_ABORT";
-
 /// Runs them.
 pub(super) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     let opened = match open(&arguments.spec, &arguments.program, arguments.seed, arguments.engine, arguments.json)? {
@@ -119,7 +120,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         stop_after: arguments.stop_on.0,
         budget: arguments.budget,
         checked: arguments.engine != EngineArgument::Interpreter,
-        abort: std::env::var(ABORT).ok().and_then(|number| number.parse().ok()),
+        abort: crate::campaign::abort(),
         cancelled: &cancelled,
     };
     let mut running =
@@ -127,7 +128,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     match &arguments.out {
         None => {
             let mut collector = Collector::new(&opened.campaign, numbers, Vec::new(), None);
-            let ended = running.scenarios(&orders, &mut collector)?;
+            let ended = running.scenarios(&orders, &mut collector, &Vec::new)?;
             running.end(&collector.into_collected(), ended)
         }
         Some(out) => running.kept(out, numbers, &orders),
@@ -144,15 +145,87 @@ struct Running<'a> {
 }
 
 impl Running<'_> {
-    fn scenarios(&mut self, orders: &Orders<'_>, collector: &mut Collector<'_>) -> Result<Ended, Failure> {
+    /// Runs what the collector does not have; `digests` tells the bytes of what an earlier run left.
+    fn scenarios(
+        &mut self,
+        orders: &Orders<'_>,
+        collector: &mut Collector<'_>,
+        digests: &dyn Fn() -> Vec<(Range<u64>, String)>,
+    ) -> Result<Ended, Failure> {
+        #[cfg(feature = "nats")]
+        if self.arguments.server.is_asked_for() {
+            return self.farmed(orders, collector, digests());
+        }
+        let _ = digests;
         let mut progress = Progress::new(self.asked, self.arguments.json, self.arguments.quiet);
         let ended = crate::campaign::run(&self.opened.campaign, orders, collector, &mut |collected| progress.tell(collected));
         progress.end();
         ended
     }
 
+    /// Runs it on whatever workers a queue has, and on threads here if they are asked for.
+    #[cfg(feature = "nats")]
+    fn farmed(&mut self, orders: &Orders<'_>, collector: &mut Collector<'_>, digests: Vec<(Range<u64>, String)>) -> Result<Ended, Failure> {
+        use sieben_campaign::identity::MEANING;
+        use sieben_farm::{Options, WorkerOrders};
+
+        use crate::campaign::farmed::{self, Working};
+        use crate::campaign::said;
+
+        let Self { arguments, opened, .. } = self;
+        if orders.stop_after.is_some() {
+            let told = "`--stop-on` is not there yet with `--nats`: ranges come back in any order";
+            return Err(Failure::usage(Problem::P7001, told).help("leave `--stop-on` out, or run the campaign on this computer"));
+        }
+        if arguments.program.says_more() {
+            let told = "workers know of the program what its files say, and not what this command line adds";
+            return Err(Failure::usage(Problem::P7001, told).help("write CPU type, mnemonics and dialect into `sieben.toml`"));
+        }
+        let server = arguments.server.server()?;
+        let farmed = farmed::Orders { server: server.clone(), range: arguments.range, budget: orders.budget, cancelled: orders.cancelled };
+        let mut progress = Progress::new(self.asked, arguments.json, arguments.quiet);
+        let (done, quiet, campaign) = (AtomicBool::new(false), arguments.quiet || arguments.json, &opened.campaign);
+        let mut none = true;
+        let mut alive = |workers: &sieben_farm::Workers| {
+            if std::mem::replace(&mut none, workers.alive == 0) != none && !quiet {
+                let told = match workers.alive {
+                    0 => "no worker is there any more: start some by `sieben worker --nats URL`".to_owned(),
+                    count => format!("{} of {}", said::several(count as u64, "worker"), said::several(workers.threads, "thread")),
+                };
+                output::message(&format!("{told}\n"));
+            }
+        };
+        if !quiet && arguments.workers.is_none() {
+            output::message("waiting for workers: start some by `sieben worker --nats URL`\n");
+        }
+        let (ended, finished) = std::thread::scope(|scope| {
+            if let Some(threads) = arguments.workers {
+                let identity = campaign.identity.campaign.clone();
+                let here = WorkerOrders { threads, campaign: Some(identity), idle_exit: None, meaning: MEANING, name: said::computer() };
+                let (server, done, engine, abort) = (&server, &done, arguments.engine, orders.abort);
+                scope.spawn(move || {
+                    let open = move |offer: &sieben_farm::Offer| Working::open(offer, engine, abort);
+                    // The run says itself what is wrong with the server.
+                    let _ = sieben_farm::work(server, &Options::default(), &here, &open, &|| done.load(Ordering::Relaxed), &mut |_| {});
+                });
+            }
+            let came =
+                farmed::run(campaign, &opened.text, &farmed, collector, digests, &mut |collected| progress.tell(collected), &mut alive);
+            done.store(true, Ordering::Relaxed);
+            came
+        })?;
+        progress.end();
+        if let Some(alarm) = finished.alarms.first() {
+            let (from, last) = (alarm.range.start, alarm.range.end - 1);
+            let told = format!("scenarios {from} to {last} came twice with different results; the second came from `{}`", alarm.worker);
+            let help = "remove that worker, or report it: a scenario must come to the same on every machine";
+            return Err(Failure { exit: Exit::Internal, ..Failure::usage(Problem::P7169, told).help(help) });
+        }
+        Ok(ended)
+    }
+
     #[cfg(feature = "parquet")]
-    fn kept(&mut self, out: &std::path::Path, numbers: std::ops::Range<u64>, orders: &Orders<'_>) -> Result<Exit, Failure> {
+    fn kept(&mut self, out: &std::path::Path, numbers: Range<u64>, orders: &Orders<'_>) -> Result<Exit, Failure> {
         let campaign = &self.opened.campaign;
         let wanted =
             Wanted { result: out, resume: self.arguments.resume, numbers: numbers.clone(), counts_failures: orders.stop_after.is_some() };
@@ -160,8 +233,9 @@ impl Running<'_> {
             Start::Whole(collected) => return self.end(&collected, Ended::Whole),
             Start::Run(kept, left) => (kept, left),
         };
+        let digests = kept.digests();
         let mut collector = Collector::new(campaign, numbers, left, Some(kept.store()));
-        let ended = self.scenarios(orders, &mut collector)?;
+        let ended = self.scenarios(orders, &mut collector, &|| digests.clone())?;
         let collected = collector.into_collected();
         if matches!(ended, Ended::Whole | Ended::Failures) {
             let how = json!({
@@ -174,19 +248,25 @@ impl Running<'_> {
     }
 
     #[cfg(not(feature = "parquet"))]
-    fn kept(&mut self, _: &std::path::Path, _: std::ops::Range<u64>, _: &Orders<'_>) -> Result<Exit, Failure> {
+    fn kept(&mut self, _: &std::path::Path, _: Range<u64>, _: &Orders<'_>) -> Result<Exit, Failure> {
         Err(super::without_files())
     }
 
     /// Makes what failed small, and writes it down.
-    fn failures(&self, collected: &Collected, ended: Ended) -> Result<Vec<(u64, PathBuf)>, Failure> {
+    fn failures(&self, collected: &Collected, ended: Ended) -> Vec<(u64, PathBuf)> {
         if ended == Ended::Cancelled {
-            return Ok(Vec::new());
+            return Vec::new();
         }
         let Opened { campaign, name, folder, .. } = self.opened;
         let all = failing::all(campaign, collected, &|| self.cancelled.load(Ordering::Relaxed));
-        let paths = failing::write(&all, folder, name, campaign.spec.seed)?;
-        Ok(all.iter().map(|small| small.number).zip(paths).collect())
+        match failing::write(&all, folder, name, campaign.spec.seed) {
+            Ok(paths) => all.iter().map(|small| small.number).zip(paths).collect(),
+            // The result is there; a folder that may not be written to does not take it away.
+            Err(failure) => {
+                output::message(&format!("{}\n", failure.refusal.message));
+                Vec::new()
+            }
+        }
     }
 
     /// Says what came of it.
@@ -199,7 +279,7 @@ impl Running<'_> {
             let help = format!("this is our mistake; please report it with `sieben campaign show {file} {number}` and the program");
             return Err(Failure { exit: Exit::Internal, ..Failure::usage(Problem::P7179, told).help(help) });
         }
-        let written = self.failures(collected, ended)?;
+        let written = self.failures(collected, ended);
         let run = Run { written: &written, campaign, name: &opened.name, file: &file, asked: *asked, collected, took: begun.elapsed() };
         match arguments.json {
             true => output::print_json(&run.json(), false)?,
