@@ -1,5 +1,6 @@
 //! Programs of other people that tests talk with, as `cargo xtask clients` installs them.
 #![allow(clippy::print_stdout)] // A test that is skipped says so.
+#![allow(dead_code)] // Not every test file uses all of it.
 
 use std::fs;
 use std::io::Read;
