@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
+use serde_json::{Value as Json, json};
 use sieben_campaign::row::Verdict;
 use sieben_campaign::shrinking::Signature;
 use sieben_campaign::spec::PropertyKind;
@@ -67,6 +68,18 @@ impl Small {
         }
         let _ = write!(text, "{}", self.smaller.scenario);
         text
+    }
+
+    /// For the file beside a result.
+    pub(crate) fn json(&self, path: Option<&Path>) -> Json {
+        json!({
+            "scenario": self.number,
+            "what": self.signature().what,
+            "place": self.signature().place,
+            "reasons": self.reasons(),
+            "diagram": self.diagram(),
+            "file": path.map(|path| path.display().to_string()),
+        })
     }
 
     fn signature(&self) -> &Signature {

@@ -6,6 +6,8 @@ pub(crate) mod failing;
 pub(crate) mod farmed;
 #[cfg(feature = "parquet")]
 pub(crate) mod files;
+#[cfg(feature = "parquet")]
+pub(crate) mod report;
 pub(crate) mod said;
 #[cfg(feature = "parquet")]
 mod summary;

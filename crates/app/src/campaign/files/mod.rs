@@ -9,6 +9,7 @@ mod part_file;
 mod result_file;
 
 pub(crate) use columns::Columns;
-pub(crate) use kept::{Kept, Start, Wanted};
+pub(crate) use kept::{Kept, Start, Wanted, beside};
 pub(crate) use merging::merge;
 pub(crate) use part_file::{decode, digest, encode};
+pub(crate) use result_file::ResultFile;

@@ -4,6 +4,7 @@ mod list;
 mod merge;
 mod opened;
 mod progress;
+mod report;
 mod run;
 mod show;
 mod shrink;
@@ -30,6 +31,8 @@ enum Verb {
     Show(show::Arguments),
     /// Make a scenario that fails as small as it fails in the same way
     Shrink(shrink::Arguments),
+    /// Say what a result came to
+    Report(report::Arguments),
     /// Make one result of the results of parts of a campaign
     Merge(merge::Arguments),
 }
@@ -41,6 +44,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         Verb::Run(arguments) => run::run(arguments),
         Verb::Show(arguments) => show::run(arguments),
         Verb::Shrink(arguments) => shrink::run(arguments),
+        Verb::Report(arguments) => report::run(arguments),
         Verb::Merge(arguments) => merge::run(arguments),
     }
 }

@@ -17,7 +17,7 @@ use super::opened::{Opened, open, wanted};
 use super::progress::Progress;
 use crate::arguments::ProgramArguments;
 use crate::campaign::collected::{Collected, Collector};
-use crate::campaign::failing;
+use crate::campaign::failing::{self, Small};
 #[cfg(feature = "parquet")]
 use crate::campaign::files::{Kept, Start, Wanted};
 use crate::campaign::said::Run;
@@ -129,7 +129,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         None => {
             let mut collector = Collector::new(&opened.campaign, numbers, Vec::new(), None);
             let ended = running.scenarios(&orders, &mut collector, &Vec::new)?;
-            running.end(&collector.into_collected(), ended)
+            let collected = collector.into_collected();
+            running.end(&collected, ended, &running.failures(&collected, ended))
         }
         Some(out) => running.kept(out, numbers, &orders),
     }
@@ -230,21 +231,23 @@ impl Running<'_> {
         let wanted =
             Wanted { result: out, resume: self.arguments.resume, numbers: numbers.clone(), counts_failures: orders.stop_after.is_some() };
         let (mut kept, left) = match Kept::open(&wanted, campaign)? {
-            Start::Whole(collected) => return self.end(&collected, Ended::Whole),
+            Start::Whole(collected) => return self.end(&collected, Ended::Whole, &self.failures(&collected, Ended::Whole)),
             Start::Run(kept, left) => (kept, left),
         };
         let digests = kept.digests();
         let mut collector = Collector::new(campaign, numbers, left, Some(kept.store()));
         let ended = self.scenarios(orders, &mut collector, &|| digests.clone())?;
         let collected = collector.into_collected();
+        let failures = self.failures(&collected, ended);
         if matches!(ended, Ended::Whole | Ended::Failures) {
             let how = json!({
+                "failures": failures.iter().map(|(small, path)| small.json(path.as_deref())).collect::<Vec<_>>(),
                 "version": env!("CARGO_PKG_VERSION"), "seconds": self.begun.elapsed().as_secs_f64(), "workers": orders.workers,
                 "resumed": collected.resumed, "duplicates": collected.duplicates,
             });
             kept.finish(campaign, &self.opened.name, &self.opened.text, &collected, &how)?;
         }
-        self.end(&collected, ended)
+        self.end(&collected, ended, &failures)
     }
 
     #[cfg(not(feature = "parquet"))]
@@ -253,24 +256,23 @@ impl Running<'_> {
     }
 
     /// Makes what failed small, and writes it down.
-    fn failures(&self, collected: &Collected, ended: Ended) -> Vec<(u64, PathBuf)> {
+    fn failures(&self, collected: &Collected, ended: Ended) -> Vec<(Small, Option<PathBuf>)> {
         if ended == Ended::Cancelled {
             return Vec::new();
         }
         let Opened { campaign, name, folder, .. } = self.opened;
         let all = failing::all(campaign, collected, &|| self.cancelled.load(Ordering::Relaxed));
-        match failing::write(&all, folder, name, campaign.spec.seed) {
-            Ok(paths) => all.iter().map(|small| small.number).zip(paths).collect(),
+        let paths = failing::write(&all, folder, name, campaign.spec.seed).unwrap_or_else(|failure| {
             // The result is there; a folder that may not be written to does not take it away.
-            Err(failure) => {
-                output::message(&format!("{}\n", failure.refusal.message));
-                Vec::new()
-            }
-        }
+            output::message(&format!("{}\n", failure.refusal.message));
+            Vec::new()
+        });
+        let paths = paths.into_iter().map(Some).chain(std::iter::repeat(None));
+        all.into_iter().zip(paths).collect()
     }
 
     /// Says what came of it.
-    fn end(&self, collected: &Collected, ended: Ended) -> Result<Exit, Failure> {
+    fn end(&self, collected: &Collected, ended: Ended, failures: &[(Small, Option<PathBuf>)]) -> Result<Exit, Failure> {
         let Self { arguments, opened, asked, begun, .. } = self;
         let (campaign, tally) = (&opened.campaign, &collected.tally);
         let file = arguments.spec.display().to_string();
@@ -279,7 +281,7 @@ impl Running<'_> {
             let help = format!("this is our mistake; please report it with `sieben campaign show {file} {number}` and the program");
             return Err(Failure { exit: Exit::Internal, ..Failure::usage(Problem::P7179, told).help(help) });
         }
-        let written = self.failures(collected, ended);
+        let written: Vec<(u64, PathBuf)> = failures.iter().filter_map(|(small, path)| Some((small.number, path.clone()?))).collect();
         let run = Run { written: &written, campaign, name: &opened.name, file: &file, asked: *asked, collected, took: begun.elapsed() };
         match arguments.json {
             true => output::print_json(&run.json(), false)?,
