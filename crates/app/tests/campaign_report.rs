@@ -53,7 +53,7 @@ fn a_page_has_verdicts_failures_and_charts_and_needs_no_network() {
         "MW 12 in mm",
         "was changed last by",
         "samples = 5",
-        "<code>failures/over--1--",
+        "<code>failures/over--1-",
     ] {
         assert!(page.contains(part) || page.contains(&part.replace("<code>", "<code>./")), "{part}");
     }

@@ -287,7 +287,6 @@ pub(super) const SENTENCES: &[Row] = &[
     ),
     ("Real time after which a test is given up", "Echtzeit, nach der ein Test abgebrochen wird"),
     ("Run so many tests at once [default: one per processor]", "So viele Tests gleichzeitig ausführen [Standard: einer je Prozessor]"),
-    ("Which engine runs the programs", "Welche Engine die Programme ausführt"),
     ("Print the results as one JSON object", "Die Ergebnisse als ein JSON-Objekt ausgeben"),
     ("Print the results in the Test Anything Protocol", "Die Ergebnisse im Test Anything Protocol ausgeben"),
     (
@@ -533,10 +532,6 @@ pub(super) const SENTENCES: &[Row] = &[
     (
         "Take scenarios of campaigns that other machines run, through a NATS server",
         "Szenarien von Kampagnen, die andere Rechner ausführen, über einen NATS-Server nehmen",
-    ),
-    (
-        "Take scenarios of campaigns through a NATS server, and send back what comes of them",
-        "Szenarien von Kampagnen über einen NATS-Server nehmen und zurücksenden, was herauskommt",
     ),
     ("Work for this campaign only", "Nur für diese Kampagne arbeiten"),
     ("End after so long without work", "Nach so langer Zeit ohne Arbeit enden"),

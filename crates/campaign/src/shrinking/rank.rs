@@ -14,6 +14,7 @@ pub(super) struct Rank {
     until_us: u64,
     failing_us: u64,
     digits: usize,
+    scans: u64,
 }
 
 impl Rank {
@@ -36,6 +37,7 @@ impl Rank {
             until_us: at.time_us,
             failing_us: failing.fold(0, u64::saturating_add),
             digits: digits_of(case),
+            scans: case.scans,
         }
     }
 }
@@ -49,8 +51,7 @@ fn digits_of(case: &Case) -> usize {
     let in_values: usize = values.map(|value| digits(value)).sum();
     let parameters = case.plants.iter().flat_map(|plant| &plant.parameters);
     let in_parameters: usize = parameters.map(|(_, value)| digits(&format!("{value}"))).sum();
-    // The length is a number, too: of two cases that break at the same scan the one without a rest is smaller.
-    in_times + in_values + in_parameters + usize::try_from(case.scans.ilog10()).unwrap_or(0)
+    in_times + in_values + in_parameters
 }
 
 fn digits(number: &str) -> usize {

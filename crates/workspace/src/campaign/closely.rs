@@ -126,7 +126,10 @@ impl Onlooker for Second<'_> {
                     self.rows.pop_front();
                 }
                 if let Some(writers) = &self.writers {
-                    self.written = writers.written().collect();
+                    // What comes in from outside is there before the first statement, which has not written it.
+                    let from_outside = |signal: &Signal| matches!(signal.address.area, Area::Input | Area::PeripheralInput);
+                    let written = writers.written().zip(&self.signals);
+                    self.written = written.map(|(written, signal)| written.filter(|_| !from_outside(signal))).collect();
                 }
             }
             _ => {}

@@ -8,7 +8,7 @@ use crate::failure::{Exit, Failure};
 
 /// Make one result of the results of parts of a campaign.
 #[derive(Args)]
-#[command(after_help = "Example:\n  \
+#[command(after_help = "Examples:\n  \
   sieben campaign merge r0.parquet r1.parquet -o r.parquet\n\n\
 The result has the same bytes as that of one run over all scenarios.\n\n\
 Exit codes: 0 all scenarios are there and all held, 1 a property broke, what has to come\n\
