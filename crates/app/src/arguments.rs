@@ -44,6 +44,7 @@ pub(crate) struct ProgramArguments {
 
 impl ProgramArguments {
     /// Whether the command line says something about the program that its files do not say.
+    #[cfg(feature = "nats")]
     pub(crate) fn says_more(&self) -> bool {
         let Self { cpu, mnemonics, dialect, extended, profile, encoding: _ } = self;
         cpu.is_some() || mnemonics.is_some() || dialect.is_some() || *extended || profile.is_some()

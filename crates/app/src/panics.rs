@@ -65,6 +65,7 @@ pub(crate) enum Trouble {
 
 impl Trouble {
     /// The reason why bytes from outside cannot be read, as the end of a sentence: a library that did not expect them has no other word.
+    #[cfg(feature = "parquet")]
     pub(crate) fn of_bytes(self) -> String {
         match self {
             Self::Refused(reason) => reason,

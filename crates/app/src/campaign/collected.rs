@@ -118,6 +118,7 @@ impl<'s> Collector<'s> {
     }
 
     /// So many ranges came once more.
+    #[cfg(feature = "nats")]
     pub(crate) fn count_duplicates(&mut self, count: u64) {
         self.collected.duplicates += count;
     }

@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
+#[cfg(feature = "parquet")]
 use serde_json::{Value as Json, json};
 use sieben_campaign::row::Verdict;
 use sieben_campaign::shrinking::Signature;
@@ -71,6 +72,7 @@ impl Small {
     }
 
     /// For the file beside a result.
+    #[cfg(feature = "parquet")]
     pub(crate) fn json(&self, path: Option<&Path>) -> Json {
         json!({
             "scenario": self.number,

@@ -25,6 +25,7 @@ pub(super) struct Opened {
     /// The folder that its paths count from.
     pub(super) folder: PathBuf,
     /// Its file.
+    #[cfg_attr(not(feature = "parquet"), expect(dead_code))]
     pub(super) text: String,
 }
 

@@ -9,6 +9,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use clap::Args;
+#[cfg(feature = "parquet")]
 use serde_json::json;
 use sieben_campaign::row::Verdict;
 use sieben_model::problems::Problem;
