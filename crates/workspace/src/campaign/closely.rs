@@ -6,7 +6,7 @@ use sieben_campaign::row::Verdict;
 use sieben_campaign::shrinking::{Break, Signature};
 use sieben_cpu::Cpu;
 use sieben_engine::Tracer;
-use sieben_model::address::{Address, Area, Operand};
+use sieben_model::address::{Address, Area, Width};
 use sieben_model::testing::Signal;
 use sieben_model::types::DataType;
 use sieben_sim::names::{Name, Sample};
@@ -53,17 +53,14 @@ fn operands(expression: &str, subject: &Subject) -> Vec<Name> {
     names
 }
 
-/// A variable as the writers know it.
+/// A variable as the writers know it; one without a place is written by no statement.
 fn signal(name: &Name) -> Signal {
-    let (data_block, address) = match name.operand() {
-        Some(Operand::Address(address)) => (None, *address),
-        Some(Operand::InDataBlock { db, address }) => (Some(*db), *address),
-        // It has no place, so no statement writes it.
-        _ => (None, Address { area: Area::Local, width: sieben_model::address::Width::Bit, byte: 0, bit: 0 }),
-    };
-    // What goes out directly is written to the process image, too.
-    let area = if address.area == Area::PeripheralOutput { Area::Output } else { address.area };
-    Signal { name: name.text().to_owned(), data_block, address: Address { area, ..address }, data_type: DataType::Bool }
+    last_change::signal(name).unwrap_or_else(|| Signal {
+        name: name.text().to_owned(),
+        data_block: None,
+        address: Address { area: Area::Local, width: Width::Bit, byte: 0, bit: 0 },
+        data_type: DataType::Bool,
+    })
 }
 
 /// The first look: where it breaks, and in which scans what matters changed last.

@@ -8,11 +8,10 @@ use std::time::Duration;
 use sieben_campaign::spec::Spec;
 use sieben_cpu::{Cpu, DiagnosticBuffer, Loaded};
 use sieben_engine::{Interpreter, Tracer};
-use sieben_model::address::{Area, Operand};
+use sieben_model::address::Operand;
 use sieben_model::cpu_type::CpuType;
 use sieben_model::problems::Problem;
 use sieben_model::testing::Signal;
-use sieben_model::types::DataType;
 use sieben_sim::names::{Kind, Name, Sample};
 use sieben_sim::runner::{Watcher, Writers};
 use sieben_sim::scenario::{Difference, Happened, Onlooker, Scenario, ScenarioError};
@@ -305,17 +304,7 @@ impl<'a> Again<'a> {
         let all = test.scenario.names();
         let names = all.iter().filter(|(_, name)| *name != difference.name).take(NAMES_MAX);
         let names = names.filter_map(|(_, name)| Name::parse(rules.name(name), symbols, program).ok()).collect();
-        let signal = difference.place.operand().and_then(|operand| {
-            let (data_block, address) = match operand {
-                Operand::Address(address) => (None, *address),
-                Operand::InDataBlock { db, address } => (Some(*db), *address),
-                _ => return None,
-            };
-            // What goes out directly is written to the process image, too.
-            let area = if address.area == Area::PeripheralOutput { Area::Output } else { address.area };
-            let address = sieben_model::address::Address { area, ..address };
-            Some(Signal { name: difference.name.clone(), data_block, address, data_type: DataType::Bool })
-        });
+        let signal = last_change::signal(&difference.place);
         let (stopwatch, timeout) = (test.stopwatch.clone(), test.conditions.timeout);
         Self { difference, names, rows: VecDeque::new(), scan: 0, writers: None, written: None, signal, stopwatch, timeout }
     }
