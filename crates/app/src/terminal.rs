@@ -1,6 +1,7 @@
 //! The terminal as a screen: whether there is one, what comes from it, its end, and Ctrl-C while it is drawn on.
 
 use std::io::{self, IsTerminal};
+use std::num::NonZero;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
@@ -75,6 +76,11 @@ pub(crate) fn interrupted() -> Arc<AtomicBool> {
     let flag = Arc::clone(&interrupted);
     on_interrupt(move || flag.store(true, Ordering::Relaxed));
     interrupted
+}
+
+/// As many threads as are asked for, else one for each processor.
+pub(crate) fn threads(asked: Option<NonZero<usize>>) -> NonZero<usize> {
+    asked.or_else(|| std::thread::available_parallelism().ok()).unwrap_or(NonZero::<usize>::MIN)
 }
 
 /// Does something when Ctrl-C is pressed.

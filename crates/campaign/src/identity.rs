@@ -85,7 +85,8 @@ fn normal(text: &str) -> String {
     text.trim_start_matches('\u{FEFF}').replace("\r\n", "\n")
 }
 
-fn hex(bytes: &[u8]) -> String {
+/// Bytes as hexadecimal digits.
+pub fn hex(bytes: &[u8]) -> String {
     bytes.iter().fold(String::new(), |mut text, byte| {
         // Writing to a string cannot fail.
         let _ = write!(text, "{byte:02x}");

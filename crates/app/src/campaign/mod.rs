@@ -6,11 +6,12 @@ pub(crate) mod failing;
 pub(crate) mod farmed;
 #[cfg(feature = "parquet")]
 pub(crate) mod files;
+mod parts;
 #[cfg(feature = "parquet")]
 pub(crate) mod report;
 pub(crate) mod said;
 #[cfg(feature = "parquet")]
-mod summary;
+pub(crate) mod summary;
 mod threads;
 
 pub(crate) use threads::{Ended, Orders, run};

@@ -9,11 +9,11 @@ use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use sieben_campaign::part::Part;
-use sieben_campaign::row::Verdict;
 use sieben_campaign::spec::Keep;
 use sieben_workspace::campaign::{Campaign, Way};
 
 use super::collected::{Collected, Collector, Encode};
+use super::parts;
 use crate::failure::Failure;
 
 /// Real time that a range of scenarios shall take, so that what is around it does not matter.
@@ -143,22 +143,13 @@ impl Worker<'_> {
 
     /// Runs the scenarios of a range. Where failures are counted, a part ends with one: then the run can end there, too.
     fn part(&self, range: Range<u64>, way: Way) -> Option<Part> {
-        let mut part = Part::new(&self.campaign.spec, range.start);
-        for number in range {
-            if (self.is_over)() {
-                return None;
-            }
-            if self.orders.abort == Some(number) {
-                std::process::abort();
-            }
-            let row = self.campaign.run(number, way, &|| !(self.is_over)()).ok()?;
-            let failed = row.verdict != Verdict::Pass;
-            part.add(row, self.keep);
-            if failed && self.orders.stop_after.is_some() {
-                break;
-            }
-        }
-        Some(part)
+        let Self { campaign, keep, orders, .. } = *self;
+        parts::run(
+            campaign,
+            range,
+            &parts::How { way, keep, abort: orders.abort, ends_with_failure: orders.stop_after.is_some() },
+            self.is_over,
+        )
     }
 
     /// The first scenario of a part that comes to something else in the interpreter.

@@ -98,7 +98,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         Speed::Factor(factor) => Some(factor),
         Speed::Max => None,
     };
-    let threads = arguments.threads.or_else(|| std::thread::available_parallelism().ok()).unwrap_or(NonZero::<usize>::MIN);
+    let threads = terminal::threads(arguments.threads);
     let for_us = micros(arguments.length);
     let orders = Orders { windows: fleet.windows(for_us, factor.is_some()), threads, factor, cancelled: &interrupted };
     if factor.is_some() && !arguments.json {

@@ -41,26 +41,22 @@ pub(crate) struct Arguments {
 /// Works.
 #[cfg(feature = "nats")]
 pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
-    use std::sync::Arc;
-    use std::sync::atomic::{AtomicBool, Ordering};
+    use std::sync::atomic::Ordering;
 
     use sieben_campaign::identity::MEANING;
     use sieben_farm::{Options, WorkerOrders};
 
     use crate::campaign::farmed::{Working, failed};
     use crate::campaign::{abort, said};
-    use crate::output;
+    use crate::{output, terminal};
 
     let server = arguments.server.server()?;
     if arguments.ready {
         return sieben_farm::ready(&server).map(|()| Exit::Success).map_err(|error| failed(&error));
     }
-    let cancelled = Arc::new(AtomicBool::new(false));
-    let cancel = Arc::clone(&cancelled);
-    // Without the handler the signal ends the process, and its ranges come back when their lease is over.
-    let _ = ctrlc::set_handler(move || cancel.store(true, Ordering::Relaxed));
+    let cancelled = terminal::interrupted();
     let orders = WorkerOrders {
-        threads: arguments.threads.or_else(|| std::thread::available_parallelism().ok()).unwrap_or(NonZero::<usize>::MIN),
+        threads: terminal::threads(arguments.threads),
         campaign: arguments.campaign.clone(),
         idle_exit: arguments.idle_exit,
         meaning: MEANING,

@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 use std::time::Duration;
 
 use serde_json::{Map, Value as Json, json};
+use sieben_campaign::identity::hex;
 use sieben_workspace::fleet::{Fleet, Row, Summary};
 use sieben_workspace::{controller, duration};
 
@@ -130,12 +131,4 @@ fn why(row: &Row) -> String {
     };
     let cause = stop.cause.as_ref().map_or("", |cause| cause.text.as_str());
     format!("{at}: {cause}")
-}
-
-fn hex(bytes: &[u8]) -> String {
-    bytes.iter().fold(String::with_capacity(bytes.len() * 2), |mut text, byte| {
-        // Writing to a string cannot fail.
-        let _ = write!(text, "{byte:02x}");
-        text
-    })
 }

@@ -1,5 +1,6 @@
 //! A campaign that came as bytes, unpacked into a folder of its own.
 
+use std::cell::Cell;
 use std::fs;
 use std::path::{Component, Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -17,6 +18,8 @@ use crate::project;
 pub(super) struct Unpacked<'a> {
     folder: PathBuf,
     packed: &'a Packed,
+    /// How many programs were unpacked.
+    unpacked: Cell<usize>,
 }
 
 impl<'a> Unpacked<'a> {
@@ -26,12 +29,12 @@ impl<'a> Unpacked<'a> {
         let name = format!("sieben-worker-{}-{}", std::process::id(), NUMBER.fetch_add(1, Ordering::Relaxed));
         let folder = std::env::temp_dir().join(name);
         fs::create_dir(&folder)?;
-        Ok(Self { folder, packed })
+        Ok(Self { folder, packed, unpacked: Cell::new(0) })
     }
 
     fn unpack(&self, path: &str) -> std::io::Result<PathBuf> {
-        let place = self.folder.join(format!("{:016x}", Packed { spec: path.to_owned(), ..self.packed.clone() }.bytes().len()));
-        let place = (0..u32::MAX).map(|number| place.with_extension(number.to_string())).find(|place| !place.exists()).unwrap_or(place);
+        // A program is called by its place among those of the campaign: its own name may be anything.
+        let place = self.folder.join(self.unpacked.replace(self.unpacked.get() + 1).to_string());
         fs::create_dir(&place)?;
         for (name, text) in self.packed.bundle.files() {
             let Some(name) = name.strip_prefix(path).and_then(|name| name.strip_prefix('/')) else { continue };

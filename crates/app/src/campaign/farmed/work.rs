@@ -16,6 +16,7 @@ use sieben_workspace::project::Overrides;
 
 use super::unpacked::Unpacked;
 use crate::campaign::files::{Columns, encode};
+use crate::campaign::parts;
 use crate::campaign::threads::CHECKED;
 use crate::engines::EngineArgument;
 
@@ -55,17 +56,8 @@ impl Working {
     }
 
     fn part(&self, range: Range<u64>, way: Way, is_over: &dyn Fn() -> bool) -> Option<Part> {
-        let mut part = Part::new(&self.campaign.spec, range.start);
-        for number in range {
-            if is_over() {
-                return None;
-            }
-            if self.abort == Some(number) {
-                std::process::abort();
-            }
-            part.add(self.campaign.run(number, way, &|| !is_over()).ok()?, self.keep);
-        }
-        Some(part)
+        let how = parts::How { way, keep: self.keep, abort: self.abort, ends_with_failure: false };
+        parts::run(&self.campaign, range, &how, is_over)
     }
 }
 

@@ -38,7 +38,7 @@ pub(crate) fn merge(paths: &[PathBuf], output: &Path) -> Result<Merged, Failure>
             let told = format!("`{shown}` is of another campaign than `{}`; what differs: {differs}", first.path.display());
             return Err(Failure::usage(Problem::P7176, told).help("merge only results of the same programs, file and seed"));
         }
-        for range in one.ranges() {
+        for range in one.there().iter() {
             if !there.insert(range.clone()) {
                 let told = format!("scenarios {} to {} of `{shown}` are in another of the files, too", range.start, range.end - 1);
                 return Err(Failure::usage(Problem::P7176, told).help("leave one of the two out: a scenario counts once"));

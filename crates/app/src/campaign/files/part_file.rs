@@ -9,6 +9,7 @@ use arrow_ipc::writer::FileWriter;
 use arrow_schema::ArrowError;
 use serde_json::{Value as Json, json};
 use sha2::{Digest, Sha256};
+use sieben_campaign::identity::hex;
 use sieben_campaign::part::Part;
 use sieben_campaign::row::Verdict;
 use sieben_campaign::spec::Keep;
@@ -69,5 +70,5 @@ fn metadata(all: &HashMap<String, String>) -> Option<Json> {
 
 /// What tells these bytes from any other: the first 16 hexadecimal digits of their SHA-256.
 pub(crate) fn digest(bytes: &[u8]) -> String {
-    Sha256::digest(bytes)[..8].iter().map(|byte| format!("{byte:02x}")).collect()
+    hex(&Sha256::digest(bytes)[..8])
 }

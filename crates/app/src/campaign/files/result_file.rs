@@ -14,6 +14,7 @@ use parquet::file::properties::WriterProperties;
 use serde_json::Value as Json;
 use sieben_campaign::identity;
 use sieben_campaign::part::FAILURES_MAX;
+use sieben_campaign::ranges::Ranges;
 use sieben_campaign::row::Row;
 use sieben_campaign::spec::Keep;
 use sieben_campaign::tally::Tally;
@@ -21,6 +22,7 @@ use sieben_model::problems::Problem;
 
 use super::columns::Columns;
 use super::head::Head;
+use crate::campaign::summary;
 use crate::failure::Failure;
 use crate::{files, panics};
 
@@ -154,9 +156,8 @@ impl ResultFile {
     }
 
     /// Which scenarios it is of.
-    pub(crate) fn ranges(&self) -> Vec<std::ops::Range<u64>> {
-        let range = |pair: &Json| Some(pair[0].as_u64()?..pair[1].as_u64()?.checked_add(1)?);
-        self.summary["ranges"].as_array().into_iter().flatten().filter_map(range).collect()
+    pub(crate) fn there(&self) -> Ranges {
+        summary::there(&self.summary)
     }
 
     /// Its rows, one batch after the other.

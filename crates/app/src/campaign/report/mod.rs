@@ -15,6 +15,7 @@ use sieben_campaign::row::{Row, Verdict};
 use sieben_campaign::spec::Value;
 
 use super::files::ResultFile;
+use super::summary;
 use crate::failure::Failure;
 
 /// Rows that are drawn; the counts are of all.
@@ -92,11 +93,7 @@ impl Report {
 
     /// Scenarios that it is of.
     fn there(&self) -> Ranges {
-        let mut there = Ranges::default();
-        for range in self.file.ranges() {
-            there.insert(range);
-        }
-        there
+        self.file.there()
     }
 
     /// What each property of the file came to: kind, name, what is said of it, and whether it held.
@@ -120,8 +117,7 @@ impl Report {
 
     /// Whether all scenarios are there, all passed, and what has to come sometimes came.
     pub(crate) fn holds(&self) -> bool {
-        let missing = self.there().missing(0..self.file.head.scenarios).next().is_some();
-        !missing && self.count(Verdict::Pass) == self.file.tally.run() && self.properties().iter().all(|(.., holds)| *holds)
+        summary::holds(&self.file.summary, &self.there(), self.file.head.scenarios)
     }
 
     /// For other programs: the summary with what identifies the campaign.

@@ -3,10 +3,9 @@
 use std::fmt::Write as _;
 
 use serde_json::Value as Json;
-use sieben_campaign::row::Verdict;
 
 use super::Report;
-use crate::campaign::said;
+use crate::campaign::{said, summary};
 
 /// The report as lines.
 pub(crate) fn text(report: &Report) -> String {
@@ -42,13 +41,7 @@ pub(crate) fn text(report: &Report) -> String {
         let message = row.message.as_ref().map_or_else(String::new, |message| format!(": {message}"));
         let _ = writeln!(text, "  scenario {}: {}{property}{message}", row.scenario, row.verdict.word());
     }
-    let missing: Vec<String> =
-        report.there().missing(0..report.file.head.scenarios).take(5).map(|range| format!("{}..{}", range.start, range.end - 1)).collect();
-    if !missing.is_empty() {
-        let _ = writeln!(text, "missing: scenarios {}", missing.join(", "));
-    }
-    let others = Verdict::ALL[1..].iter().filter(|&&verdict| report.count(verdict) > 0);
-    let others: String = others.map(|&verdict| format!(", {} {}", report.count(verdict), verdict.word())).collect();
-    let _ = writeln!(text, "{} pass{others}", report.count(Verdict::Pass));
+    text.extend(summary::missing(&report.there(), report.file.head.scenarios));
+    let _ = writeln!(text, "{}", summary::counts(&report.file.summary));
     text
 }

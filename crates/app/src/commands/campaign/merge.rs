@@ -28,34 +28,21 @@ pub(super) struct Arguments {
 /// Merges them.
 #[cfg(feature = "parquet")]
 pub(super) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
-    use sieben_campaign::row::Verdict;
-
-    use crate::campaign::said;
+    use crate::campaign::{said, summary};
     use crate::output;
 
     let merged = crate::campaign::files::merge(&arguments.files, &arguments.output)?;
-    let missing: Vec<_> = merged.there.missing(0..merged.scenarios).collect();
     if arguments.json {
         output::print_json(&merged.summary, false)?;
     } else {
-        let count = |verdict: Verdict| merged.summary[verdict.word()].as_u64().unwrap_or(0);
-        let others: String =
-            Verdict::ALL[1..].iter().filter(|&&one| count(one) > 0).map(|&one| format!(", {} {}", count(one), one.word())).collect();
         let all = said::scenarios(merged.there.count());
-        output::print(&format!("{}: {all}, {} pass{others}\n", arguments.output.display(), count(Verdict::Pass)))?;
+        output::print(&format!("{}: {all}, {}\n", arguments.output.display(), summary::counts(&merged.summary)))?;
     }
-    if !missing.is_empty() {
-        let shown: Vec<String> = missing.iter().take(5).map(|range| format!("{}..{}", range.start, range.end - 1)).collect();
-        let more = if missing.len() > shown.len() { ", and more" } else { "" };
-        output::message(&format!("missing: scenarios {}{more}\n", shown.join(", ")));
+    if let Some(missing) = summary::missing(&merged.there, merged.scenarios) {
+        output::message(&missing);
     }
-    let never = merged.summary["properties"]
-        .as_array()
-        .into_iter()
-        .flatten()
-        .any(|property| property["kind"] == "sometimes" && property["came"] == 0);
-    let held = merged.summary[Verdict::Pass.word()] == merged.there.count();
-    Ok(if held && missing.is_empty() && !never { Exit::Success } else { Exit::CheckFailed })
+    let holds = summary::holds(&merged.summary, &merged.there, merged.scenarios);
+    Ok(if holds { Exit::Success } else { Exit::CheckFailed })
 }
 
 /// Merges them.

@@ -3,6 +3,7 @@
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
+use clap::Args;
 use sieben_campaign::parse::parse;
 use sieben_jit::StatusBits;
 use sieben_model::problems::Problem;
@@ -16,6 +17,36 @@ use crate::campaign::said;
 use crate::engines::EngineArgument;
 use crate::failure::{Exit, Failure};
 use crate::{files, project, report};
+
+/// Which scenario, and where what is made of it goes.
+#[derive(Args)]
+pub(super) struct OneScenario {
+    /// The file of the campaign
+    #[arg(value_name = "SPEC")]
+    spec: PathBuf,
+    /// The number of the scenario, from 0
+    #[arg(value_name = "N")]
+    pub(super) number: u64,
+    #[command(flatten)]
+    program: ProgramArguments,
+    /// Another seed than that of the file
+    #[arg(long, value_name = "N")]
+    seed: Option<u64>,
+    /// Write to this file instead of standard output
+    #[arg(short, long, value_name = "FILE")]
+    pub(super) output: Option<PathBuf>,
+}
+
+impl OneScenario {
+    /// The campaign, which has that scenario; otherwise its findings are printed.
+    pub(super) fn open(&self, engine: EngineArgument) -> Result<Result<Opened, Exit>, Failure> {
+        let opened = open(&self.spec, &self.program, self.seed, engine, false)?;
+        if let Ok(opened) = &opened {
+            wanted(&opened.campaign, Some((self.number, self.number)))?;
+        }
+        Ok(opened)
+    }
+}
 
 /// A campaign that was read, with what it is called.
 pub(super) struct Opened {

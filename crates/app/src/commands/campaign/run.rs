@@ -4,7 +4,6 @@ use std::ffi::OsString;
 use std::num::NonZero;
 use std::ops::Range;
 use std::path::PathBuf;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
@@ -26,7 +25,7 @@ use crate::campaign::{Ended, Orders};
 use crate::duration::duration_argument;
 use crate::engines::EngineArgument;
 use crate::failure::{Exit, Failure};
-use crate::output;
+use crate::{output, terminal};
 
 /// Run the scenarios of a campaign.
 #[derive(Args)]
@@ -111,12 +110,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         Err(exit) => return Ok(exit),
     };
     let numbers = wanted(&opened.campaign, arguments.only)?;
-    let cancelled = Arc::new(AtomicBool::new(false));
-    let cancel = Arc::clone(&cancelled);
-    // Without the handler Ctrl+C ends the process, which loses nothing but what is under way.
-    let _ = ctrlc::set_handler(move || cancel.store(true, Ordering::Relaxed));
+    let cancelled = terminal::interrupted();
     let orders = Orders {
-        workers: arguments.workers.or_else(|| std::thread::available_parallelism().ok()).unwrap_or(NonZero::<usize>::MIN),
+        workers: terminal::threads(arguments.workers),
         range: arguments.range,
         stop_after: arguments.stop_on.0,
         budget: arguments.budget,
@@ -129,7 +125,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     match &arguments.out {
         None => {
             let mut collector = Collector::new(&opened.campaign, numbers, Vec::new(), None);
-            let ended = running.scenarios(&orders, &mut collector, &Vec::new)?;
+            let ended = running.scenarios(&orders, &mut collector, Vec::new())?;
             let collected = collector.into_collected();
             running.end(&collected, ended, &running.failures(&collected, ended))
         }
@@ -152,13 +148,14 @@ impl Running<'_> {
         &mut self,
         orders: &Orders<'_>,
         collector: &mut Collector<'_>,
-        digests: &dyn Fn() -> Vec<(Range<u64>, String)>,
+        digests: Vec<(Range<u64>, String)>,
     ) -> Result<Ended, Failure> {
         #[cfg(feature = "nats")]
         if self.arguments.server.is_asked_for() {
-            return self.farmed(orders, collector, digests());
+            return self.farmed(orders, collector, digests);
         }
-        let _ = digests;
+        // Only a queue brings what is there already.
+        drop(digests);
         let mut progress = Progress::new(self.asked, self.arguments.json, self.arguments.quiet);
         let ended = crate::campaign::run(&self.opened.campaign, orders, collector, &mut |collected| progress.tell(collected));
         progress.end();
@@ -237,7 +234,7 @@ impl Running<'_> {
         };
         let digests = kept.digests();
         let mut collector = Collector::new(campaign, numbers, left, Some(kept.store()));
-        let ended = self.scenarios(orders, &mut collector, &|| digests.clone())?;
+        let ended = self.scenarios(orders, &mut collector, digests)?;
         let collected = collector.into_collected();
         let failures = self.failures(&collected, ended);
         if matches!(ended, Ended::Whole | Ended::Failures) {

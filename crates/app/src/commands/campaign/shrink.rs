@@ -1,19 +1,16 @@
 //! `sieben campaign shrink`: a scenario that fails, made as small as it fails in the same way.
 
-use std::path::PathBuf;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::Ordering;
 
 use clap::Args;
 use sieben_model::problems::Problem;
 
-use super::opened::{open, wanted};
-use crate::arguments::ProgramArguments;
+use super::opened::OneScenario;
 use crate::campaign::failing::Small;
 use crate::campaign::said;
 use crate::engines::EngineArgument;
 use crate::failure::{Exit, Failure};
-use crate::{files, output};
+use crate::{files, output, terminal};
 
 /// Make a scenario that fails as small as it fails in the same way.
 #[derive(Args)]
@@ -24,37 +21,22 @@ It breaks the same property, and the same statement wrote what the property says
 go first, then events, then parameters; then times get shorter and numbers rounder.\n\n\
 Exit codes: 0 ok, 2 usage, or the scenario does not fail, 3 does not compile.")]
 pub(super) struct Arguments {
-    /// The file of the campaign
-    #[arg(value_name = "SPEC")]
-    spec: PathBuf,
-    /// The number of the scenario, from 0
-    #[arg(value_name = "N")]
-    number: u64,
     #[command(flatten)]
-    program: ProgramArguments,
-    /// Another seed than that of the file
-    #[arg(long, value_name = "N")]
-    seed: Option<u64>,
-    /// Write to this file instead of standard output
-    #[arg(short, long, value_name = "FILE")]
-    output: Option<PathBuf>,
+    one: OneScenario,
 }
 
 /// Makes it smaller.
 pub(super) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
-    let opened = match open(&arguments.spec, &arguments.program, arguments.seed, EngineArgument::Auto, false)? {
+    let OneScenario { number, output, .. } = &arguments.one;
+    let opened = match arguments.one.open(EngineArgument::Auto)? {
         Ok(opened) => opened,
         Err(exit) => return Ok(exit),
     };
-    wanted(&opened.campaign, Some((arguments.number, arguments.number)))?;
-    let cancelled = Arc::new(AtomicBool::new(false));
-    let cancel = Arc::clone(&cancelled);
-    // Without the handler Ctrl+C ends the process; with it, it ends the search, and what was found is there.
-    let _ = ctrlc::set_handler(move || cancel.store(true, Ordering::Relaxed));
-    let small = Small::of(&opened.campaign, arguments.number, &|| cancelled.load(Ordering::Relaxed))
+    let cancelled = terminal::interrupted();
+    let small = Small::of(&opened.campaign, *number, &|| cancelled.load(Ordering::Relaxed))
         .map_err(|message| Failure::usage(Problem::P7162, message).help("`sieben campaign run` names scenarios that fail"))?;
     let file = small.file(&opened.name, opened.campaign.spec.seed);
-    match &arguments.output {
+    match output {
         Some(path) => {
             files::write_whole(path, file.as_bytes())?;
             output::message(&format!("{}{}", small.reasons(), small.diagram()));
