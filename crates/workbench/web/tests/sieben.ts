@@ -85,6 +85,11 @@ export class Sieben {
     await ended;
   }
 
+  /** Nothing is kept of the runs before: the next one begins as the first one did. */
+  forget(): void {
+    rmSync(join(this.folder, '.sieben'), { recursive: true, force: true });
+  }
+
   async end(): Promise<void> {
     await this.kill();
     rmSync(join(this.folder, '..'), { recursive: true, force: true });

@@ -20,6 +20,7 @@ export async function hold(sieben: Sieben, request: APIRequestContext): Promise<
     await request.post('/api/v1/time', { data: { pause: true } });
     if ((await scans(request)) < HELD_BEFORE) return;
     await sieben.kill();
+    sieben.forget();
     await sieben.start();
   }
   throw new Error(`the run was never held before scan ${HELD_BEFORE}`);
