@@ -120,12 +120,14 @@ fn what_is_read_belongs_to_one_scan_and_what_is_written_falls_between_two() {
     for (speed, cycle_us) in [(Speed::Factor(1.0), 2_000), (Speed::Factor(1.0), 0), (Speed::Factor(20.0), 10_000), (Speed::Max, 10_000)] {
         let (end, plant, reads) = run(cpu(COUNTS, "315-2PN/DP", real_time()), speed, cycle_us, |gate, _| {
             let until = Instant::now() + Duration::from_millis(150);
+            // On a busy computer each of them comes in less often.
+            let latest = until + Duration::from_secs(10);
             std::thread::scope(|scope| {
                 let readers: Vec<_> = (0..4)
                     .map(|reader| {
                         scope.spawn(move || {
                             let (mut reads, mut last) = (0_u64, 0);
-                            while Instant::now() < until {
+                            while Instant::now() < until || reads <= 3 && Instant::now() < latest {
                                 let (scan, values) = read(gate, &[0, 2]).expect("the run goes on");
                                 assert_eq!(values[0], values[1], "half of a scan");
                                 assert_eq!(values[0], scan as u16, "another scan");
@@ -148,7 +150,7 @@ fn what_is_read_belongs_to_one_scan_and_what_is_written_falls_between_two() {
         });
         assert_eq!((end, plant.mode), (End::Ended, OperatingMode::Run));
         assert!(!plant.marked, "{speed:?}: a word was written inside a scan");
-        assert!(reads.iter().all(|&reads| reads > 3), "{speed:?}: nobody is kept out: {reads:?}");
+        assert!(reads.iter().all(|&reads| reads > 3), "{speed:?}: all of them come in: {reads:?}");
         assert!(plant.scans > 3, "{speed:?}: the scans go on: {}", plant.scans);
     }
 }
@@ -346,6 +348,29 @@ fn of_the_scans_that_are_asked_for_the_last_one_is_recorded() {
 }
 
 #[test]
+fn who_comes_before_the_start_waits_for_it() {
+    let mut plant = Plant::new(cpu(COUNTS, "315-2PN/DP", real_time()), Pace::new(Speed::Factor(1.0), 2_000, u64::MAX, 0));
+    plant.switch_on(Restart::Warm);
+    let begin = Instant::now();
+    let gate = Gate::new(plant, Box::new(move || begin.elapsed().as_micros() as u64));
+    gate.prepare(|plant| assert_eq!(plant.cpu.mode(), OperatingMode::Stop));
+    let (desk, around) = (Desk::default(), Around::default());
+    std::thread::scope(|scope| {
+        let early = scope.spawn(|| gate.look(|plant| (plant.cpu.mode(), plant.scans > 0)));
+        // Time for it to come to the gate; if it comes later, it finds the same.
+        std::thread::sleep(Duration::from_millis(30));
+        let scans = scope.spawn(|| {
+            let mut surroundings = &around;
+            Driver::new(&gate, &desk, &mut surroundings).go_on()
+        });
+        assert_eq!(early.join().expect("it comes in"), Ok((OperatingMode::Run, true)));
+        around.over.store(true, Ordering::Relaxed);
+        gate.wake();
+        assert_eq!(scans.join().expect("the run ends"), End::Ended);
+    });
+}
+
+#[test]
 fn organization_block_90_lets_everyone_in() {
     const BACKGROUND: &str = "
 ORGANIZATION_BLOCK OB 90
@@ -364,13 +389,15 @@ END_ORGANIZATION_BLOCK
         gate.wait_for_point(1, Duration::from_secs(5));
         let mut slowest = Duration::ZERO;
         let mut values = Vec::new();
-        for _ in 0..20 {
+        while values.len() <= 10 {
             let begin = Instant::now();
-            values.push(read(gate, &[70]).expect("the run goes on").1[0]);
+            // A busy computer has other work than OB 90 most of the time, but not for the whole run.
+            let Ok((_, value)) = read(gate, &[70]) else { break };
+            values.push(value[0]);
+            values.dedup();
             slowest = slowest.max(begin.elapsed());
             std::thread::sleep(Duration::from_millis(3));
         }
-        values.dedup();
         assert!(values.len() > 10, "OB 90 goes on: {values:?}");
         slowest
     });

@@ -81,17 +81,11 @@ impl<'g> Driver<'g> {
 
     /// Starts the CPU and runs it to the end. The gate stays open.
     pub fn run(&mut self, restart: Restart) -> End {
-        let gate = self.gate;
-        gate.scan(|plant| {
-            self.start(plant, restart);
-            if plant.pace.missed == Missed::LeftOut {
-                plant.pace.due_us = plant.pace.time_us(gate.now_us());
-            }
-        });
+        self.gate.scan(|plant| plant.switch_on(restart));
         self.go_on()
     }
 
-    /// Runs a CPU that was started before to the end.
+    /// Runs a CPU to the end that was started or switched on before.
     pub fn go_on(&mut self) -> End {
         let gate = self.gate;
         loop {
@@ -124,6 +118,9 @@ impl<'g> Driver<'g> {
         plant.cpu.restart_with(restart, &mut clock, None);
         plant.touch();
         self.surroundings.keep(&mut plant.cpu);
+        if plant.pace.missed == Missed::LeftOut {
+            plant.pace.due_us = plant.pace.time_us(self.gate.now_us());
+        }
     }
 
     /// The clock of a startup: where every cycle is made up for, it shows the time of the next one.
@@ -137,6 +134,9 @@ impl<'g> Driver<'g> {
 
     fn iteration(&mut self, plant: &mut Plant) -> Next {
         self.surroundings.exchange(plant);
+        if let Some(restart) = plant.power_on.take() {
+            self.start(plant, restart);
+        }
         if let Some((restart, by)) = plant.start.take() {
             let mut clock = self.clock(&plant.pace);
             plant.waits_in_stop = false;

@@ -9,7 +9,7 @@ use std::sync::atomic::{AtomicBool, AtomicU32, AtomicU64, Ordering};
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-use sieben_cpu::{AccessError, Cpu, Requester, Restart, Station, StopRequest};
+use sieben_cpu::{AccessError, Cpu, OperatingMode, Requester, Restart, Station, StopRequest};
 use sieben_model::item::Item;
 use sieben_model::value::Value;
 
@@ -26,6 +26,8 @@ pub const PORTION_JOBS: usize = 64;
 pub const ITEMS_MAX: usize = 1_000;
 /// Longest wait for a sign of the scan before a waiting thread looks again.
 const LOOK_AGAIN: Duration = Duration::from_millis(20);
+/// Longest wait for the start of a run that has not begun.
+const START_MAX: Duration = Duration::from_secs(5);
 /// No scan is expected.
 const NEVER: u64 = u64::MAX;
 
@@ -39,6 +41,8 @@ pub struct Plant {
     pub scans: u64,
     /// How long they took.
     pub scan_times: ScanTimes,
+    /// The start that the run begins with, as long as it is still to come.
+    pub(crate) power_on: Option<Restart>,
     /// A start that has been asked for from outside.
     pub(crate) start: Option<(Restart, Requester)>,
     /// Whether a CPU in STOP waits for a start instead of ending the run.
@@ -59,6 +63,7 @@ impl Plant {
             pace,
             scans: 0,
             scan_times: ScanTimes::default(),
+            power_on: None,
             start: None,
             waits_in_stop: false,
             stays_in_stop: false,
@@ -67,9 +72,16 @@ impl Plant {
         }
     }
 
-    /// Sends the CPU to STOP on behalf of a client: the run goes on, and the CPU waits there for a start.
+    /// Power comes on: the run begins with this start. A STOP that is asked for before leaves it out.
+    pub fn switch_on(&mut self, restart: Restart) {
+        self.power_on = Some(restart);
+    }
+
+    /// Sends the CPU to STOP on behalf of a client: the run goes on, and the CPU waits there for a start. One that was still to come does not.
     pub fn stop(&mut self, by: Requester) {
         self.waits_in_stop = true;
+        self.power_on = None;
+        self.start = None;
         Station::stop_by(&mut self.cpu, by);
     }
 
@@ -99,6 +111,11 @@ impl Plant {
     /// Says that something was changed that the CPU did not do itself: its past is kept from there anew.
     pub fn touch(&mut self) {
         self.touched = true;
+    }
+
+    /// Whether the CPU is in STOP, and no start is still to come.
+    pub fn is_stopped(&self) -> bool {
+        self.cpu.mode() == OperatingMode::Stop && self.power_on.is_none() && self.start.is_none()
     }
 
     /// Whether a start that was asked for is still to come.
@@ -170,6 +187,8 @@ pub struct Gate {
     /// How many scans have ended.
     points: AtomicU64,
     closed: AtomicBool,
+    /// The CPU is switched on, and its start is still to come.
+    before_start: AtomicBool,
     /// OB 90 runs, which is interrupted for every thread that wants in.
     background: AtomicBool,
     requests: StopRequest,
@@ -202,10 +221,11 @@ impl Drop for Counted<'_> {
 }
 
 impl Gate {
-    /// A gate before a plant. The clock is the computer's.
+    /// A gate before a plant. The clock is the computer's. If the plant is switched on, all others come in after its start.
     pub fn new(plant: Plant, clock: Clock) -> Self {
         Self {
             requests: plant.cpu.stop_request(),
+            before_start: AtomicBool::new(plant.power_on.is_some()),
             plant: Mutex::new(plant),
             queue: Mutex::default(),
             clock,
@@ -226,6 +246,11 @@ impl Gate {
     /// What the computer's clock shows, in microseconds.
     pub fn now_us(&self) -> u64 {
         (self.clock)()
+    }
+
+    /// Comes in before the run begins, as the thread that will scan.
+    pub fn prepare<R>(&self, work: impl FnOnce(&mut Plant) -> R) -> R {
+        work(&mut lock(&self.plant))
     }
 
     /// Comes in between two scans to change something. The work has to be short: [`PORTION_US`], or [`PORTION_JOBS`] jobs.
@@ -350,13 +375,18 @@ impl Gate {
         self.closed.load(Ordering::Acquire)
     }
 
-    /// Waits while the scan is inside or near.
+    /// Waits while the scan is inside or near, and for the start of a run that has not begun.
     fn give_way(&self) {
+        let came_us = self.now_us();
+        let before_start = || {
+            let waited_us = self.now_us().saturating_sub(came_us);
+            self.before_start.load(Ordering::Acquire) && u128::from(waited_us) < START_MAX.as_micros()
+        };
         loop {
             let points = self.points();
             let due = self.due_us.load(Ordering::Acquire);
             let near = due != NEVER && due.saturating_sub(self.now_us()) < NEAR_US;
-            if self.is_closed() || !(near || self.scan_waits.load(Ordering::Acquire)) {
+            if self.is_closed() || !(near || self.scan_waits.load(Ordering::Acquire) || before_start()) {
                 return;
             }
             let point = lock(&self.point);
@@ -364,7 +394,7 @@ impl Gate {
             let (point, time_out) = self.passed.wait_timeout_while(point, LOOK_AGAIN, waits).unwrap_or_else(PoisonError::into_inner);
             drop(point);
             // A thread that should have scanned long ago does something else: it is not waited for.
-            if time_out.timed_out() && !self.scan_waits.load(Ordering::Acquire) {
+            if time_out.timed_out() && !self.scan_waits.load(Ordering::Acquire) && !before_start() {
                 return;
             }
         }
@@ -377,6 +407,9 @@ impl Gate {
         self.scan_waits.store(false, Ordering::Release);
         self.due_us.store(NEVER, Ordering::Release);
         let done = work(&mut plant);
+        if plant.power_on.is_none() {
+            self.before_start.store(false, Ordering::Release);
+        }
         drop(plant);
         self.points.fetch_add(1, Ordering::SeqCst);
         if self.is_wanted() || self.listening.load(Ordering::SeqCst) > 0 {

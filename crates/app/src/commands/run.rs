@@ -11,7 +11,7 @@ use std::time::{Duration, Instant, SystemTime};
 
 use clap::Args;
 use serde_json::json;
-use sieben_cpu::{Cpu, DateAndTime, OperatingMode, Restart, Settings, StopRequest, TimeSource};
+use sieben_cpu::{Cpu, DateAndTime, OperatingMode, Settings, StopRequest, TimeSource};
 use sieben_jit::StatusBits;
 use sieben_model::problems::Problem;
 use sieben_workbench::Projects;
@@ -175,6 +175,8 @@ pub(crate) fn run_as(verb: Verb, mut arguments: RunArguments) -> Result<Exit, Fa
     if stays {
         plant.stay_in_stop();
     }
+    // Who reaches the run before its first scan waits for the start.
+    plant.switch_on(arguments.retain.restart);
     let gate = Arc::new(Gate::new(plant, clock));
     let ending = Arc::new(Ending { request, gate: Arc::clone(&gate), presses: AtomicUsize::new(0) });
     watch_for_interrupt(&ending)?;
@@ -221,6 +223,7 @@ pub(crate) fn run_as(verb: Verb, mut arguments: RunArguments) -> Result<Exit, Fa
         page.start((&gate, &desk, &facts), servers.as_ref(), Box::new(Answers::default()), projects)
     };
     let page = prepared_page.map(start_page).transpose()?;
+    let metrics = arguments.servers.start_metrics(&gate, servers.as_ref())?;
     if let Some(servers) = &servers {
         servers.introduce(&facts, &gate);
         match arguments.json {
@@ -238,12 +241,10 @@ pub(crate) fn run_as(verb: Verb, mut arguments: RunArguments) -> Result<Exit, Fa
     }
     if let Some(page) = page.as_ref().filter(|_| !arguments.json) {
         match shown {
-            // The run has just begun, and nothing else closes the gate.
-            Shown::Screen => drop(gate.enter(|plant| desk.observed.note(plant, page.text().trim_end()))),
+            Shown::Screen => gate.prepare(|plant| desk.observed.note(plant, page.text().trim_end())),
             _ => output::message(&page.text()),
         }
     }
-    let metrics = arguments.servers.start_metrics(&gate, servers.as_ref())?;
     if let Some(metrics) = &metrics
         && !arguments.json
     {
@@ -268,7 +269,7 @@ pub(crate) fn run_as(verb: Verb, mut arguments: RunArguments) -> Result<Exit, Fa
         ending: &ending,
         is_broken: false,
     };
-    let drawn = drive(&mut around, &desk, asks, arguments.retain.restart);
+    let drawn = drive(&mut around, &desk, asks);
     let Around { mut retention, watch, failed, .. } = around;
     drawn.map_err(|error| terminal::broken(&error))?;
     drop(metrics);
@@ -326,7 +327,7 @@ pub(crate) fn now() -> DateAndTime {
 }
 
 /// Scans until the run is over; meanwhile a screen asks, if there is one.
-fn drive(around: &mut Around<'_>, desk: &Desk, asks: Option<Direct>, restart: Restart) -> io::Result<()> {
+fn drive(around: &mut Around<'_>, desk: &Desk, asks: Option<Direct>) -> io::Result<()> {
     let ending = around.ending;
     let has_ended = AtomicBool::new(false);
     let is_over = || has_ended.load(Ordering::Relaxed);
@@ -337,7 +338,7 @@ fn drive(around: &mut Around<'_>, desk: &Desk, asks: Option<Direct>, restart: Re
             let _ = thread::Builder::new().name("status".to_owned()).spawn_scoped(scope, || desk.replay(is_over));
             thread::Builder::new().name("screen".to_owned()).spawn_scoped(scope, move || show(asks, desk, ending, is_over))
         });
-        Driver::new(&ending.gate, desk, around).run(restart);
+        Driver::new(&ending.gate, desk, around).go_on();
         has_ended.store(true, Ordering::Relaxed);
         match screen {
             // A panic of the thread was reported where it happened.

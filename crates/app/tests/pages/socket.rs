@@ -92,13 +92,15 @@ impl Page {
     }
 
     /// Messages until one is as wanted.
-    pub(crate) fn until(&mut self, what: &str, is_wanted: impl Fn(&Value) -> bool) -> Value {
+    pub(crate) fn until(&mut self, what: &str, mut is_wanted: impl FnMut(&Value) -> bool) -> Value {
+        let mut last = Value::Null;
         for _ in 0..400 {
             let message = self.next().unwrap_or_else(|| panic!("{what}: the connection has ended"));
             if is_wanted(&message) {
                 return message;
             }
+            last = message;
         }
-        panic!("{what} does not come");
+        panic!("{what} does not come; the last message is {last}");
     }
 }

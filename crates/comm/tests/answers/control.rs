@@ -107,6 +107,37 @@ fn ends(gate: &Gate, around: &mut sieben_comm::s7comm::answer::Surroundings, job
 }
 
 #[test]
+fn a_cpu_that_is_switched_on_is_stopped_before_its_first_scan() {
+    let Station { plant, mut around } = Station::new();
+    let begin = Instant::now();
+    let gate = Arc::new(Gate::new(plant, Box::new(move || begin.elapsed().as_micros() as u64)));
+    gate.prepare(|plant| plant.switch_on(Restart::Warm));
+    let (over, desk) = (Around::default(), Desk::default());
+    let by = Requester::default();
+    assert!(matches!(ends(&gate, &mut around, &Job::Stop, by), Reply::Done));
+    assert!(matches!(ends(&gate, &mut around, &Job::Stop, by), Reply::Already));
+    std::thread::scope(|scope| {
+        scope.spawn(|| Driver::new(&gate, &desk, &mut &over).go_on());
+        let _end = End(&gate, &over);
+        assert!(matches!(ends(&gate, &mut around, &Job::Start(Restart::Warm), by), Reply::Done));
+        assert!(matches!(ends(&gate, &mut around, &Job::Start(Restart::Warm), by), Reply::Already));
+        // A start that is still to come is taken back by a STOP.
+        gate.enter(|plant| {
+            plant.stop(by);
+            plant.ask_for_start(Restart::Warm, by);
+            assert!(matches!(sieben_comm::s7comm::answer::perform(&Job::Stop, plant, &mut around, by), Reply::Done));
+            assert!(plant.is_stopped());
+        })
+        .expect("the run goes on");
+        let points = gate.points();
+        while gate.points() < points + 3 {
+            std::thread::yield_now();
+        }
+        assert!(gate.enter(|plant| plant.is_stopped()).expect("the run goes on"));
+    });
+}
+
+#[test]
 fn a_cpu_is_stopped_and_started_and_keeps_who_asked() {
     let Station { plant, mut around } = Station::new();
     let begin = Instant::now();

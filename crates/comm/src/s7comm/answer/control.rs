@@ -31,7 +31,7 @@ pub(super) fn set_clock(plant: &mut Plant, wanted: DateAndTime) -> Reply {
 
 /// STOP.
 pub(super) fn stop(plant: &mut Plant, by: Requester) -> Reply {
-    if plant.cpu.mode() == OperatingMode::Stop {
+    if plant.is_stopped() {
         return Reply::Already;
     }
     plant.stop(by);
