@@ -12,10 +12,22 @@ use ratatui::crossterm::event::{Event, KeyCode, KeyEvent, KeyEventKind, KeyModif
 use ratatui::crossterm::terminal::{self, Clear, ClearType, EnterAlternateScreen, LeaveAlternateScreen};
 use ratatui::crossterm::{event, execute};
 use ratatui::{DefaultTerminal, Terminal};
+#[cfg(unix)]
+use rustix::event::PollFlags;
 use sieben_model::problems::Problem;
 
 use crate::failure::Failure;
 use crate::output;
+
+/// How long the end of the terminal is waited for at a time.
+#[cfg(unix)]
+const WATCHED: Duration = Duration::from_secs(3_600);
+/// How long a screen has to end by itself when its terminal has gone.
+#[cfg(unix)]
+const GONE_MAX: Duration = Duration::from_secs(3);
+/// The exit code of a program whose terminal does not work.
+#[cfg(unix)]
+const NO_TERMINAL: i32 = 2;
 
 /// Whether input and output are a terminal that can be drawn on.
 pub(crate) fn has_screen() -> bool {
@@ -49,11 +61,31 @@ pub(crate) fn take() -> io::Result<DefaultTerminal> {
     // Not every terminal has an empty second screen.
     let entered = execute!(io::stdout(), EnterAlternateScreen, Clear(ClearType::All));
     let display = entered.and_then(|()| Terminal::new(CrosstermBackend::new(io::stdout())));
-    if display.is_err() {
-        give_back();
+    match display.is_err() {
+        true => give_back(),
+        false => end_after_terminal(),
     }
     display
 }
+
+/// Ends the program if it does not notice by itself that its terminal has gone: one that goes between our look and that of crossterm is read
+/// from without end.
+#[cfg(unix)]
+fn end_after_terminal() {
+    let watch = || {
+        while !has_gone_or(PollFlags::empty(), WATCHED) {}
+        std::thread::sleep(GONE_MAX);
+        if IS_TAKEN.load(Ordering::SeqCst) {
+            std::process::exit(NO_TERMINAL);
+        }
+    };
+    // Without the thread all else goes on.
+    let _ = std::thread::Builder::new().name("terminal".to_owned()).spawn(watch);
+}
+
+/// Only Unix has terminals that go.
+#[cfg(not(unix))]
+fn end_after_terminal() {}
 
 /// Gives the terminal back if a screen has it: before a message about our own mistake. It may be called from any thread, and more than once.
 pub(crate) fn give_back() {
@@ -161,9 +193,15 @@ pub(crate) fn restore(mut display: DefaultTerminal) {
 /// Waits until something can be read, so long at most; whether the terminal has gone.
 #[cfg(unix)]
 fn has_gone(wait: Duration) -> bool {
-    use rustix::event::{PollFd, PollFlags, Timespec, poll};
+    has_gone_or(PollFlags::IN, wait)
+}
+
+/// Waits until the terminal has gone or one of these has come, so long at most; whether it has gone.
+#[cfg(unix)]
+fn has_gone_or(others: PollFlags, wait: Duration) -> bool {
+    use rustix::event::{PollFd, Timespec, poll};
     let stdin = io::stdin();
-    let mut waiting = [PollFd::new(&stdin, PollFlags::IN)];
+    let mut waiting = [PollFd::new(&stdin, others)];
     let wait = Timespec { tv_sec: wait.as_secs().cast_signed(), tv_nsec: wait.subsec_nanos().into() };
     // A signal, such as that of a new size, ends the waiting.
     let _ = poll(&mut waiting, Some(&wait));
