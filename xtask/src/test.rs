@@ -6,7 +6,7 @@ use std::process::Command;
 use crate::{clients, programs, vscode, web};
 
 /// Runs the tests with nextest where it is installed, else with `cargo test`. With `--all` what they can use of other people's programs is installed
-/// first. The page and the extension for VS Code are tested after the rest. Says at the end what was skipped.
+/// first, and campaigns of examples run whole. The page and the extension for VS Code are tested after the rest. Says at the end what was skipped.
 pub fn run(arguments: &[String]) -> Result<(), String> {
     let (all, arguments): (Vec<_>, Vec<_>) = arguments.iter().cloned().partition(|argument| argument == "--all");
     if !all.is_empty() {
@@ -14,7 +14,7 @@ pub fn run(arguments: &[String]) -> Result<(), String> {
     }
     // What an earlier run skipped.
     let _ = fs::remove_dir_all(programs::skipped());
-    let mut outcome = run_tests(&arguments);
+    let mut outcome = run_tests(&arguments, !all.is_empty());
     // A choice of tests is one of the Rust tests.
     if !all.is_empty() && arguments.is_empty() {
         let of_page = web::tests(&[]);
@@ -27,7 +27,11 @@ pub fn run(arguments: &[String]) -> Result<(), String> {
     outcome
 }
 
-fn run_tests(arguments: &[String]) -> Result<(), String> {
+/// What tells the tests to run all of it where a part is enough otherwise.
+const WHOLE: &str = "SIEBEN_WHOLE";
+
+fn run_tests(arguments: &[String], is_whole: bool) -> Result<(), String> {
+    let cargo_run = |command: &[&str], arguments: &[String]| cargo_run(command, arguments, is_whole);
     let nextest = Command::new(cargo()).args(["nextest", "--version"]).output().is_ok_and(|output| output.status.success());
     if nextest {
         cargo_run(&["nextest", "run", "--workspace", "--no-fail-fast"], arguments)?;
@@ -49,9 +53,11 @@ fn lines_of_skipped() -> Vec<String> {
     lines
 }
 
-fn cargo_run(command: &[&str], arguments: &[String]) -> Result<(), String> {
+fn cargo_run(command: &[&str], arguments: &[String], is_whole: bool) -> Result<(), String> {
     println!("cargo {}", command.iter().copied().chain(arguments.iter().map(String::as_str)).collect::<Vec<_>>().join(" "));
-    let status = Command::new(cargo()).args(command).args(arguments).status().map_err(|error| format!("cannot start cargo: {error}"))?;
+    let whole = is_whole.then_some((WHOLE, "1"));
+    let status =
+        Command::new(cargo()).args(command).args(arguments).envs(whole).status().map_err(|error| format!("cannot start cargo: {error}"))?;
     if status.success() { Ok(()) } else { Err(format!("cargo {} failed", command[0])) }
 }
 

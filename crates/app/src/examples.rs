@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use sieben_workspace::project::Project;
+use sieben_workspace::settings;
 
 /// An example: its name, what it is, and its files.
 #[derive(Clone, Copy, Debug)]
@@ -26,7 +27,7 @@ enum Kind {
 
 fn kind(path: &str) -> Kind {
     match Path::new(path).extension().and_then(|ending| ending.to_str()) {
-        Some("toml") => Kind::Settings,
+        _ if path == settings::FILE_NAME => Kind::Settings,
         Some("csv") => Kind::Symbols,
         Some("awl" | "scl" | "st") if !path.contains(".test.") => Kind::Source,
         _ => Kind::Other,
@@ -34,7 +35,7 @@ fn kind(path: &str) -> Kind {
 }
 
 macro_rules! examples {
-    ($($name:literal $source:literal $(, $beside:literal)? ; $about:literal)*) => {
+    ($($name:literal $source:literal $(, $beside:literal)* ; $about:literal)*) => {
         /// All examples.
         pub(crate) const ALL: &[Example] = &[$(Example {
             name: $name,
@@ -44,7 +45,7 @@ macro_rules! examples {
                 ("symbols.csv", include_str!(concat!("../../../examples/", $name, "/symbols.csv"))),
                 ("README.md", include_str!(concat!("../../../examples/", $name, "/README.md"))),
                 ($source, include_str!(concat!("../../../examples/", $name, "/", $source))),
-                $(($beside, include_str!(concat!("../../../examples/", $name, "/", $beside))),)?
+                $(($beside, include_str!(concat!("../../../examples/", $name, "/", $beside))),)*
                 (concat!($name, ".watch"), include_str!(concat!("../../../examples/", $name, "/", $name, ".watch"))),
                 (concat!($name, ".scenario"), include_str!(concat!("../../../examples/", $name, "/", $name, ".scenario"))),
                 (concat!($name, ".test.st"), include_str!(concat!("../../../examples/", $name, "/", $name, ".test.st"))),
@@ -57,11 +58,11 @@ examples! {
     "car-park" "car-park.st"; "a car park that counts, in ST"
     "conveyor" "conveyor.awl"; "a conveyor with a jump distributor"
     "decade-switches" "decade-switches.awl"; "decade switches and a display, with German mnemonics"
-    "dosing" "dosing.awl"; "dosing of a liquid, the plant of the demo"
+    "dosing" "dosing.awl", "shift.campaign.toml", "shift.scenario"; "dosing of a liquid, the plant of the demo"
     "elevator" "elevator.scl"; "an elevator with four floors, in SCL"
-    "heater" "heater.scl"; "an oven with a PI controller, in SCL"
+    "heater" "heater.scl", "gains.campaign.toml"; "an oven with a PI controller, in SCL"
     "packing" "packing.awl"; "packing with pointers"
-    "star-delta" "star-delta.awl", "star-delta.lad"; "a star-delta starter, with German mnemonics"
+    "star-delta" "star-delta.awl", "star-delta.lad", "interlock.campaign.toml"; "a star-delta starter, with German mnemonics"
     "tank" "tank.awl"; "a tank whose level is kept"
     "traffic-light" "traffic-light.awl"; "a traffic light, with German mnemonics"
 }

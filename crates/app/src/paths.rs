@@ -18,6 +18,8 @@ const SYMBOL_ENDINGS: [&str; 4] = ["sdf", "asc", "dif", "seq"];
 const AWLSIM_ENDING: &str = "awlpro";
 /// Scenarios.
 const SCENARIO_ENDING: &str = "scenario";
+/// The folder beside a campaign that has what failed in it: tests from then on.
+pub(crate) const FAILURES: &str = "failures";
 /// Most files a folder is searched for: a home directory given by mistake must not be read for minutes.
 const FILES_MAX: usize = 20_000;
 /// Deepest folder that is searched.

@@ -18,7 +18,7 @@ use crate::failure::Failure;
 use crate::files;
 use crate::glob::Pattern;
 use crate::paths::{
-    Listing, folder_of, is_awlsim_project, is_scenario, is_source, is_symbols, is_test, join, leaves_folder, shown, slashed,
+    FAILURES, Listing, folder_of, is_awlsim_project, is_scenario, is_source, is_symbols, is_test, join, leaves_folder, shown, slashed,
 };
 use crate::programs::{self, Folder, Kind, is_symbols_by_default};
 
@@ -125,7 +125,14 @@ impl Reading {
         let mut symbols = self.chosen(&listing, symbol_patterns.as_deref(), is_symbols_by_default);
         let mut sources = self.chosen(&listing, source_patterns.as_deref(), is_source);
         let mut tests = match &test_patterns {
-            Some(tests) => self.chosen(&listing, Some(tests), |_| false),
+            Some(tests) => {
+                let mut chosen = self.chosen(&listing, Some(tests), |_| false);
+                // What a campaign has found is a test from then on.
+                let found = listing.files.iter().filter(|file| file.starts_with(FAILURES) && is_scenario(file));
+                let found: Vec<PathBuf> = found.filter(|file| !chosen.contains(file)).cloned().collect();
+                chosen.extend(found);
+                chosen
+            }
             None => listing.files.iter().filter(|file| is_test(file) || is_scenario(file)).cloned().collect(),
         };
         // Tests are known by their text, too.

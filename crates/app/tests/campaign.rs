@@ -208,6 +208,29 @@ fn plants_have_their_parameters_and_faults() {
 }
 
 #[test]
+fn the_margin_is_the_least_distance_to_a_break() {
+    // Each scenario counts up by its own step for ten scans.
+    let spec =
+        "[campaign]\nname = \"margin\"\nfor = \"100ms\"\n[sweep]\n\"MW 12\" = { values = [1, 5, 12] }\n\"MW 14\" = { values = [1000] }\n";
+    let never = |expression: &str| format!("[[never]]\nname = \"{expression}\"\nexpr = '{expression}'\n");
+    let margin = |properties: &str, code| {
+        let folder = Folder::with(&[("main.awl", COUNTING), ("c.toml", &format!("{spec}{properties}"))]);
+        let result = folder.run(&["campaign", "run", "c.toml", "--json", "--quiet"]).code(code).json();
+        (result["margin"].as_f64(), result["margin_scenario"].as_u64())
+    };
+    let high = never("WORD_TO_INT(MW10) > 130");
+    assert_eq!(margin(&high, 0), (Some(10.0), Some(2)));
+    // What has no numbers, such as a time or a bit, takes nothing away from what has; a break is below 0.
+    let others = format!("{}{}", never("I0.0 = Q4.0 AND I0.0"), never("T#1s > T#2s AND Q4.1"));
+    assert_eq!(margin(&others, 0), (None, None));
+    assert_eq!(margin(&format!("{others}{high}"), 0), (Some(10.0), Some(2)));
+    assert_eq!(margin(&never("WORD_TO_INT(MW10) > 110 OR Q4.0"), 1), (Some(-10.0), Some(2)));
+    assert_eq!(margin(&never("Q4.0 AND WORD_TO_INT(MW10) > 110"), 0), (None, None), "as long as the bit is 0 it is infinitely far");
+    assert_eq!(margin("[[always]]\nname = \"a\"\nexpr = \"NOT (WORD_TO_INT(MW10) = 52)\"\n", 0), (Some(2.0), Some(1)));
+    assert_eq!(margin("[[finally]]\nname = \"f\"\nexpr = \"WORD_TO_INT(MW10) > 0\"\n", 0), (None, None));
+}
+
+#[test]
 fn a_stop_is_a_verdict() {
     let program = "ORGANIZATION_BLOCK OB 1\nBEGIN\n A I 0.0;\n JCN end;\n CALL SFC 46;\nend: NOP 0;\nEND_ORGANIZATION_BLOCK\n";
     let spec = "[exhaustive]\ninputs = [\"I 0.0\"]\n[[never]]\nname = \"lamp\"\nexpr = \"Q4.0\"\n";

@@ -88,6 +88,37 @@ fn workers_come_to_the_same_bytes_as_threads_also_where_one_is_killed() {
 }
 
 #[test]
+fn the_failures_with_the_least_numbers_end_a_run_also_where_ranges_come_in_any_order() {
+    if !installed::is_there("nats-server", true) {
+        return;
+    }
+    let folder = Folder::with(&[("plant/main.awl", COUNTING), ("c.toml", DRAWN)]);
+    let elsewhere = Folder::new();
+    let (_server, url) = server(&elsewhere);
+    let (_one, _other) = (worker(&elsewhere, &url, None), worker(&elsewhere, &url, None));
+    for (failures, range) in [("first", "7"), ("3", "1"), ("20", "50")] {
+        let run = |out: &str, more: &[&str]| {
+            let of = ["campaign", "run", "c.toml", "--json", "--quiet", "--stop-on", failures, "--out", out];
+            folder.run(&of.iter().chain(more).copied().collect::<Vec<_>>()).code(1).json()
+        };
+        let (here, there) = (run("here.parquet", &[]), run("there.parquet", &["--nats", &url, "--range", range]));
+        assert_eq!((&there["run"], &there["fail"]), (&here["run"], &here["fail"]), "{failures}");
+        assert!(here["run"].as_u64() < here["scenarios"].as_u64(), "{here}");
+        assert!(folder.read("there.parquet") == folder.read("here.parquet"), "{failures}: the same bytes");
+        ["here.parquet", "there.parquet"].iter().for_each(|name| std::fs::remove_file(folder.path().join(name)).expect("it is there"));
+    }
+    // What an earlier run left counts in its place.
+    folder.run(&["campaign", "run", "c.toml", "--quiet", "--stop-on", "9", "--out", "here.parquet"]).code(1);
+    let aborted = sieben(folder.path(), &["campaign", "run", "c.toml", "--quiet", "--range", "2", "--out", "r.parquet"])
+        .env("SIEBEN_CAMPAIGN_ABORT", "12")
+        .output();
+    assert_eq!(aborted.expect("it starts").status.code(), None);
+    let more = ["--resume", "--stop-on", "9", "--nats", &url, "--range", "5", "--out", "r.parquet"];
+    folder.run(&["campaign", "run", "c.toml", "--quiet"].into_iter().chain(more).collect::<Vec<_>>()).code(1);
+    assert!(folder.read("r.parquet") == folder.read("here.parquet"), "the same bytes");
+}
+
+#[test]
 fn what_cannot_be_is_said_in_a_sentence() {
     let folder = Folder::with(&[("plant/main.awl", COUNTING), ("c.toml", DRAWN)]);
     let nats = |more: &[&str]| {
@@ -95,7 +126,7 @@ fn what_cannot_be_is_said_in_a_sentence() {
         folder.run(&arguments).code(2)
     };
     nats(&["--nats"]).stderr("there is no address of a NATS server");
-    nats(&["--nats", "nats://127.0.0.1:1", "--stop-on", "first"]).stderr("`--stop-on` is not there yet with `--nats`");
+    nats(&["--lock", "outputs.lock"]).stderr("`--lock` is not there yet");
     nats(&["--nats", "nats://127.0.0.1:1", "--cpu", "416-3"]).stderr("workers know of the program what its files say");
     nats(&["--nats", "nats://anna:secret@127.0.0.1:1"]).stderr("[P7165]");
     let refused = folder.run(&["worker", "--nats", "nats://anna:secret@127.0.0.1:1", "--ready"]).code(2).stderr("[P7165]");

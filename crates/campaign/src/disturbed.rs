@@ -16,13 +16,67 @@ pub enum Width {
     Word(u32),
 }
 
-/// The values as they come in the scenario with this seed, in the order of their times. The order on each name is kept.
-pub fn disturbed(timed: &[Timed], disturb: &Disturb, seed: u64, width: &dyn Fn(&str) -> Width) -> Vec<Timed> {
+/// An input of a recording as it comes in a scenario.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Replayed {
+    /// As it was recorded.
+    pub recorded: Timed,
+    /// When it comes, in microseconds.
+    pub time_us: u64,
+    /// Its value.
+    pub value: String,
+    /// From when until when a bit bounces, in microseconds: it is the opposite between the two.
+    pub bounce: Option<(u64, u64)>,
+}
+
+impl Replayed {
+    /// One that comes as it was recorded.
+    pub fn as_recorded(recorded: Timed) -> Self {
+        Self { time_us: recorded.time_us, value: recorded.value.clone(), recorded, bounce: None }
+    }
+
+    /// In how many ways it is disturbed.
+    pub fn changes(&self) -> usize {
+        [self.moved_us() > 0, self.value != self.recorded.value, self.bounce.is_some()].into_iter().filter(|&is| is).count()
+    }
+
+    /// How far it is from when it was recorded, in microseconds.
+    pub fn moved_us(&self) -> u64 {
+        self.time_us.abs_diff(self.recorded.time_us)
+    }
+
+    /// When it has its value for good.
+    fn end_us(&self) -> u64 {
+        self.bounce.map_or(self.time_us, |(_, until)| until)
+    }
+}
+
+/// Whether each name has its values in the order of the recording; values of one name lie together.
+pub fn is_in_order(replayed: &[Replayed]) -> bool {
+    replayed.windows(2).all(|pair| pair[0].recorded.name != pair[1].recorded.name || pair[0].end_us() <= pair[1].time_us)
+}
+
+/// The values in the order of their times.
+pub fn timed(replayed: &[Replayed]) -> Vec<Timed> {
+    let mut all = Vec::with_capacity(replayed.len());
+    for one in replayed {
+        let at = |time_us: u64, value: String| Timed { time_us, name: one.recorded.name.clone(), value };
+        all.push(at(one.time_us, one.value.clone()));
+        if let Some((open, closed)) = one.bounce {
+            all.extend([at(open, opposite(&one.value)), at(closed, one.value.clone())]);
+        }
+    }
+    all.sort_by_key(|one| one.time_us);
+    all
+}
+
+/// The inputs as they come in the scenario with this seed, name by name. The order on each name is kept.
+pub fn disturbed(recorded: &[Timed], disturb: &Disturb, seed: u64, width: &dyn Fn(&str) -> Width) -> Vec<Replayed> {
     let mut names: BTreeMap<&str, Vec<&Timed>> = BTreeMap::new();
-    for one in timed {
+    for one in recorded {
         names.entry(&one.name).or_default().push(one);
     }
-    let mut all = Vec::with_capacity(timed.len());
+    let mut all = Vec::with_capacity(recorded.len());
     for (name, values) in names {
         // Each kind of disturbance of each name has draws of its own.
         let stream = |kind: &str| Stream::new(seed, &format!("disturb {name}: {kind}"));
@@ -37,31 +91,27 @@ pub fn disturbed(timed: &[Timed], disturb: &Disturb, seed: u64, width: &dyn Fn(&
                 last
             })
             .collect();
-        for (index, (one, &time_us)) in values.iter().zip(&moved).enumerate() {
-            let at = |time_us: u64, value: String| Timed { time_us, name: one.name.clone(), value };
+        for (index, (&one, &time_us)) in values.iter().zip(&moved).enumerate() {
+            let mut replayed = Replayed { time_us, ..Replayed::as_recorded(one.clone()) };
             match width(name) {
                 Width::Word(bits) => {
                     let by = disturb.value.map_or(0.0, |law| noise.draw(&law));
-                    all.push(at(time_us, added(&one.value, by, bits)));
+                    replayed.value = added(&one.value, by, bits);
                 }
                 Width::Bit => {
-                    all.push(at(time_us, one.value.clone()));
                     if let Some((chance, lasts)) = disturb.bounce {
                         let (comes, first, second) = (bounces.fraction() < chance, bounces.fraction(), bounces.fraction());
                         let next = moved.get(index + 1).copied().unwrap_or(u64::MAX);
                         let when = |part: f64| time_us + 1 + (part * lasts as f64) as u64;
                         let (open, closed) = (when(first.min(second)), when(first.max(second)));
                         // One that would not be over before the next change does not come.
-                        if comes && closed < next && open < closed {
-                            all.push(at(open, opposite(&one.value)));
-                            all.push(at(closed, one.value.clone()));
-                        }
+                        replayed.bounce = (comes && closed < next && open < closed).then_some((open, closed));
                     }
                 }
             }
+            all.push(replayed);
         }
     }
-    all.sort_by_key(|one| one.time_us);
     all
 }
 
@@ -111,7 +161,9 @@ mod tests {
 
     #[test]
     fn nothing_asked_for_changes_nothing() {
-        assert_eq!(disturbed(&recorded(), &Disturb::default(), 5, &width), recorded());
+        let replayed = disturbed(&recorded(), &Disturb::default(), 5, &width);
+        assert_eq!(timed(&replayed), recorded());
+        assert!(replayed.iter().all(|one| one.changes() == 0));
     }
 
     #[test]
@@ -120,7 +172,9 @@ mod tests {
             Disturb { time: Some(Law::Uniform(-15_000.0, 15_000.0)), bounce: Some((0.5, 30_000)), value: Some(Law::Normal(0.0, 3.0)) };
         let mut bounced = 0;
         for seed in 0..500 {
-            let all = disturbed(&recorded(), &disturb, seed, &width);
+            let replayed = disturbed(&recorded(), &disturb, seed, &width);
+            assert!(is_in_order(&replayed));
+            let all = timed(&replayed);
             assert!(all.windows(2).all(|pair| pair[0].time_us <= pair[1].time_us));
             let start: Vec<&str> = all.iter().filter(|one| one.name == "Start").map(|one| one.value.as_str()).collect();
             bounced += usize::from(start.len() > 3);

@@ -7,7 +7,7 @@ use serde_json::Value as Json;
 use sha2::{Digest, Sha256};
 
 /// Rises with every change of what a program does or what a number of a scenario means: results of another one are not those of this one.
-pub const MEANING: u32 = 1;
+pub const MEANING: u32 = 2;
 
 /// All files of the programs of a campaign, by names that do not say where the folder lies.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

@@ -52,6 +52,8 @@ pub struct Row {
     pub scans: u64,
     /// Virtual time of the last one, in microseconds.
     pub virtual_us: u64,
+    /// How near a property came to its break, in the unit of what it compares; below 0 it is broken.
+    pub margin: Option<f64>,
     /// 64 bits over the outputs that changed, with their scans.
     pub trace_hash: u64,
     /// What was swept and drawn once, in the order of the file.
@@ -73,7 +75,7 @@ impl Row {
         let measures = self.measures.iter().map(|measure| measure.map_or(u64::MAX, f64::to_bits));
         ended
             .into_iter()
-            .chain([self.scans, self.virtual_us, self.trace_hash])
+            .chain([self.scans, self.virtual_us, self.margin.map_or(u64::MAX, f64::to_bits), self.trace_hash])
             .chain(measures)
             .chain(self.came.iter().map(|&came| u64::from(came)))
     }

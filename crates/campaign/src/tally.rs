@@ -17,6 +17,8 @@ pub struct Tally {
     pub properties: Vec<PropertyTally>,
     /// Of each measure of the file.
     pub measures: Vec<MeasureTally>,
+    /// The least distance of a property to its break, and the number of its first scenario.
+    pub margin: Option<(f64, u64)>,
     /// Scans of all.
     pub scans: u64,
     /// 64 bits over all that came of them: the same wherever and however they were run.
@@ -63,6 +65,7 @@ impl Tally {
     pub fn add(&mut self, row: &Row) {
         self.verdicts[row.verdict as usize] += 1;
         self.scans += row.scans;
+        self.margin = extreme(self.margin, row.margin.map(|margin| (margin, row.scenario)), f64::lt);
         self.hash = self.hash.wrapping_add(row.parts().fold(0, |hash, part| mix(hash ^ part)));
         if let Some(property) = row.property.and_then(|index| self.properties.get_mut(index)) {
             property.broken += 1;
@@ -85,6 +88,7 @@ impl Tally {
             *count += more;
         }
         self.scans += other.scans;
+        self.margin = extreme(self.margin, other.margin, f64::lt);
         self.hash = self.hash.wrapping_add(other.hash);
         for (property, more) in self.properties.iter_mut().zip(&other.properties) {
             property.broken += more.broken;
@@ -99,6 +103,11 @@ impl Tally {
     /// How many ended so.
     pub fn of(&self, verdict: Verdict) -> u64 {
         self.verdicts[verdict as usize]
+    }
+
+    /// How many did not pass.
+    pub fn failures(&self) -> u64 {
+        self.run() - self.of(Verdict::Pass)
     }
 
     /// Scenarios that were run.
@@ -117,6 +126,8 @@ impl Tally {
     /// For files: all of it, exactly.
     pub fn to_json(&self) -> Json {
         let mut json = json!({ "scans": self.scans, "hash": format!("{:016x}", self.hash) });
+        json["margin"] = self.margin.map(|(value, _)| value).into();
+        json["margin_scenario"] = self.margin.map(|(_, at)| at).into();
         for verdict in Verdict::ALL {
             json[verdict.word()] = self.of(verdict).into();
         }
@@ -128,6 +139,7 @@ impl Tally {
     /// What was written by [`Self::to_json`].
     pub fn from_json(json: &Json) -> Option<Self> {
         let mut tally = Self {
+            margin: json["margin"].as_f64().zip(json["margin_scenario"].as_u64()),
             scans: json["scans"].as_u64()?,
             hash: u64::from_str_radix(json["hash"].as_str()?, 16).ok()?,
             properties: json["properties"].as_array()?.iter().map(property).collect::<Option<_>>()?,
@@ -231,6 +243,7 @@ mod tests {
             at: None,
             scans: random % 100,
             virtual_us: 0,
+            margin: random.is_multiple_of(2).then_some((random % 777) as f64 / 3.0 - 5.0),
             trace_hash: random,
             parameters: Vec::new(),
             faults: Vec::new(),

@@ -34,6 +34,7 @@
 //! expect mode RUN
 //! table I 0.0 I 0.1 -> Q 0.0           rows of values follow: each a fresh CPU, `set`, one scan, `expect`
 //! property never "short circuit" K1 AND K2   from the first scan on; `always`, `finally`, `response "it starts" within 2s Start -> Running`
+//! allow within 20ms                    a value of `always` may come so much earlier or later; `allow tolerance 2%`, `allow ignore Lamp`
 //! known-gap "why"                      the scenario is expected to fail
 //! recorded 0123456789ABCDEF "main.awl" what [`recorder`] has written: of which program, and with how many scans it ends;
 //! end 1000                             without this line it was cut off, and ends with its last whole scan
@@ -41,6 +42,7 @@
 //! ```
 //! Scan k begins at k times the cycle, the first at 0. A table row begins with the `set` lines above it.
 
+mod allowed;
 pub mod changing;
 mod held;
 pub mod made;
@@ -62,6 +64,7 @@ use sieben_engine::Tracer;
 use sieben_model::cpu_type::CpuType;
 use sieben_model::symbols::SymbolTable;
 
+pub use allowed::Allowed;
 pub use held::{Difference, Holding};
 use parse::{assignments, byte_range, cyclic, date_and_time, duration, expect, interrupt, name_list, plant, retain, scan, without_comment};
 use property::PropertyLine;
@@ -176,6 +179,7 @@ pub struct Scenario {
     clock: Option<DateAndTime>,
     plants: Vec<PlantLine>,
     properties: Vec<PropertyLine>,
+    allowed: Allowed,
     lines: Vec<Line>,
 }
 
@@ -264,7 +268,7 @@ const CYCLE_US: u64 = 10_000;
 const SCANS_MAX: u64 = 1_000_000;
 
 /// The words a line can begin with.
-const WORDS: &str = "`cpu`, `cycle`, `min-cycle`, `cyclic`, `image-errors`, `modules`, `module`, `plant`, `property`, `fault`, `mend`, `retain`, `set`, `force`, `unforce`, `scan`, `at`, `start`, `clock`, `interrupt`, `restart`, `power`, `expect`, `always`, `table` or `known-gap`";
+const WORDS: &str = "`cpu`, `cycle`, `min-cycle`, `cyclic`, `image-errors`, `modules`, `module`, `plant`, `property`, `allow`, `fault`, `mend`, `retain`, `set`, `force`, `unforce`, `scan`, `at`, `start`, `clock`, `interrupt`, `restart`, `power`, `expect`, `always`, `table` or `known-gap`";
 
 impl Scenario {
     /// Reads a scenario, with or without a byte order mark.
@@ -347,6 +351,11 @@ impl Scenario {
     /// What has to hold of its run; whoever runs it compiles the expressions.
     pub fn properties(&self) -> &[PropertyLine] {
         &self.properties
+    }
+
+    /// By how much a run may differ from what it says that always is.
+    pub fn allowed(&self) -> &Allowed {
+        &self.allowed
     }
 
     /// Parameters of simulated plants that it has instead of those of the project.
@@ -446,6 +455,7 @@ impl Scenario {
                 self.properties.push(PropertyLine::parse(number, rest)?);
                 return Ok(());
             }
+            "allow" => return self.allowed.line(rest),
             "cyclic" => {
                 self.cyclic.push(cyclic(rest)?);
                 return Ok(());
@@ -595,6 +605,7 @@ impl Scenario {
         fresh: &mut dyn FnMut() -> Cpu,
         onlooker: &mut dyn Onlooker,
     ) -> Vec<ScenarioError> {
+        let rules = &self.allowed.added_to(rules, self.cycle_us());
         // The CPU of the scenario stays while rows of a table have theirs.
         let onlooker = RefCell::new(onlooker);
         let mut failures = Vec::new();

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use sieben_campaign::part::{self, Part};
 use sieben_campaign::ranges::Ranges;
-use sieben_campaign::row::{Row, Verdict};
+use sieben_campaign::row::Row;
 use sieben_campaign::spec::Keep;
 use sieben_campaign::tally::Tally;
 use sieben_workspace::campaign::Campaign;
@@ -44,7 +44,7 @@ pub(crate) struct Collected {
 impl Collected {
     /// Scenarios that did not pass.
     pub(crate) fn failures(&self) -> u64 {
-        self.tally.run() - self.tally.of(Verdict::Pass)
+        self.tally.failures()
     }
 
     /// Takes in what came of a range that is not there yet.
@@ -98,6 +98,12 @@ impl<'s> Collector<'s> {
             there.insert(part.range.clone());
         }
         there.missing(self.numbers.clone()).collect()
+    }
+
+    /// The first scenario that was not taken in yet.
+    #[cfg(feature = "nats")]
+    pub(crate) fn first_missing(&self) -> Option<u64> {
+        self.collected.there.missing(self.numbers.clone()).next().map(|range| range.start)
     }
 
     /// Takes in what an earlier run left of a range.

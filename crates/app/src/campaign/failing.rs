@@ -13,15 +13,15 @@ use sieben_sim::timing_diagram::{self, Options};
 use sieben_workspace::campaign::{Campaign, Smaller};
 
 use super::collected::Collected;
+use super::said;
 use crate::failure::Failure;
 use crate::files;
+use crate::paths::FAILURES;
 
 /// Real time after which a scenario is as small as it gets.
 pub(crate) const TIME: Duration = Duration::from_secs(10);
 /// Width of a diagram in characters: that of a terminal without what stands before it.
 const WIDTH: usize = 72;
-/// Characters of a property in the name of a file.
-const NAME_MAX: usize = 60;
 
 /// A scenario that failed, made small.
 pub(crate) struct Small {
@@ -60,6 +60,14 @@ impl Small {
         timing_diagram::text(trace, &options).unwrap_or_default()
     }
 
+    /// The timing diagram as a picture.
+    #[cfg(feature = "parquet")]
+    fn svg(&self) -> String {
+        let Some((trace, mark)) = &self.smaller.found.diagram else { return String::new() };
+        let options = Options { marks: vec![mark.clone()], ..Options::svg() };
+        timing_diagram::svg(trace, &options).unwrap_or_default()
+    }
+
     /// The file: the scenario, after what is to be said of it.
     pub(crate) fn file(&self, name: &str, seed: u64) -> String {
         let mut text = format!("// Scenario {} of the campaign `{name}`, seed {seed}, made small.\n", self.number);
@@ -80,6 +88,7 @@ impl Small {
             "place": self.signature().place,
             "reasons": self.reasons(),
             "diagram": self.diagram(),
+            "svg": self.svg(),
             "file": path.map(|path| path.display().to_string()),
         })
     }
@@ -90,9 +99,7 @@ impl Small {
 
     /// What its file is called.
     fn stem(&self) -> String {
-        let plain = |c: char| if c.is_alphanumeric() { c } else { '-' };
-        let what: String = self.signature().what.chars().map(plain).take(NAME_MAX).collect();
-        format!("{}-{}", what.trim_matches('-'), self.number)
+        format!("{}-{}", said::plain(&self.signature().what), self.number)
     }
 }
 
@@ -121,7 +128,7 @@ pub(crate) fn all(campaign: &Campaign, collected: &Collected, is_over: &dyn Fn()
 /// # Errors
 /// One cannot be written.
 pub(crate) fn write(all: &[Small], folder: &Path, name: &str, seed: u64) -> Result<Vec<PathBuf>, Failure> {
-    let failures = folder.join("failures");
+    let failures = folder.join(FAILURES);
     let mut paths = Vec::new();
     for small in all {
         std::fs::create_dir_all(&failures).map_err(|error| files::unwritable(&failures, &error))?;

@@ -47,8 +47,25 @@ pub(crate) fn several(count: u64, what: &str) -> String {
     format!("{count} {what}{}", if count == 1 { "" } else { "s" })
 }
 
-/// A number without the digits that say nothing.
+/// Characters of what is said in the name of a file.
+const NAME_MAX: usize = 60;
+
+/// What is said as the name of a file: `delta-onto-star`.
+pub(crate) fn plain(text: &str) -> String {
+    let mut plain = String::new();
+    for c in text.chars().take(NAME_MAX) {
+        match c {
+            c if c.is_alphanumeric() => plain.push(c),
+            _ if plain.ends_with('-') => {}
+            _ => plain.push('-'),
+        }
+    }
+    plain.trim_matches('-').to_owned()
+}
+
+/// A number without the digits that say nothing: whole numbers as they are, others with six digits.
 pub(crate) fn number(value: f64) -> String {
+    let value = if value.fract() == 0.0 { value } else { format!("{value:.5e}").parse().unwrap_or(value) };
     let short = format!("{value:.6}");
     let short = short.trim_end_matches('0').trim_end_matches('.');
     if value != 0.0 && (value.abs() >= 1e12 || value.abs() < 1e-4) { format!("{value:.3e}") } else { short.to_owned() }
@@ -189,6 +206,8 @@ impl Run<'_> {
             object[verdict.word()] = tally.of(verdict).into();
         }
         object["duplicates"] = self.collected.duplicates.into();
+        object["margin"] = tally.margin.map(|(margin, _)| margin).into();
+        object["margin_scenario"] = tally.margin.map(|(_, at)| at).into();
         object["result_hash"] = format!("{:016x}", tally.hash).into();
         object["seconds"] = self.took.as_secs_f64().into();
         object["first_failure"] = first.into();

@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 
 use sieben_campaign::part::Part;
 use sieben_campaign::spec::Keep;
-use sieben_workspace::campaign::{Campaign, Way};
+use sieben_workspace::campaign::Campaign;
 
 use super::collected::{Collected, Collector, Encode};
 use super::parts;
@@ -129,8 +129,8 @@ impl Worker<'_> {
             let scenarios = job.range.end - job.range.start;
             let mut start = job.range.start;
             while start < job.range.end {
-                let Some(part) = self.part(start..job.range.end, Way::Chosen) else { return };
-                let differs = if job.check { self.differs(&part) } else { None };
+                let Some(part) = self.part(start..job.range.end) else { return };
+                let differs = if job.check { parts::differs(self.campaign, &part, self.is_over) } else { None };
                 start = part.range.end;
                 let bytes = self.encode.as_ref().map(|encode| encode(&part));
                 let last = (start == job.range.end).then(|| (begun.elapsed(), scenarios));
@@ -142,24 +142,9 @@ impl Worker<'_> {
     }
 
     /// Runs the scenarios of a range. Where failures are counted, a part ends with one: then the run can end there, too.
-    fn part(&self, range: Range<u64>, way: Way) -> Option<Part> {
+    fn part(&self, range: Range<u64>) -> Option<Part> {
         let Self { campaign, keep, orders, .. } = *self;
-        parts::run(
-            campaign,
-            range,
-            &parts::How { way, keep, abort: orders.abort, ends_with_failure: orders.stop_after.is_some() },
-            self.is_over,
-        )
-    }
-
-    /// The first scenario of a part that comes to something else in the interpreter.
-    fn differs(&self, part: &Part) -> Option<u64> {
-        if self.part(part.range.clone(), Way::Interpreted)? == *part {
-            return None;
-        }
-        let row = |number, way| self.campaign.run(number, way, &|| !(self.is_over)()).ok();
-        // Something differs, whichever scenario it is.
-        part.range.clone().find(|&number| row(number, Way::Chosen) != row(number, Way::Interpreted)).or(Some(part.range.start))
+        parts::run(campaign, range, &parts::How { keep, abort: orders.abort, ends_with_failure: orders.stop_after.is_some() }, self.is_over)
     }
 }
 

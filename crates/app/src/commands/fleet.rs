@@ -8,12 +8,10 @@ use clap::Args;
 use sieben_jit::StatusBits;
 use sieben_model::problems::Problem;
 use sieben_workspace::Speed;
-use sieben_workspace::campaign::Failed;
 use sieben_workspace::duration::{self, micros};
-use sieben_workspace::finding::{self, Finding, Texts};
 use sieben_workspace::fleet::{self, Fleet};
 
-use super::campaign::Around;
+use super::spec_file::{Around, SpecFile};
 use crate::arguments::ProgramArguments;
 use crate::campaign::said;
 use crate::duration::duration_argument;
@@ -21,7 +19,7 @@ use crate::engines::EngineArgument;
 use crate::failure::{Exit, Failure};
 use crate::fleet::said::Run;
 use crate::fleet::{Orders, run as run_fleet};
-use crate::{files, output, paths, report, terminal};
+use crate::{files, output, paths, terminal};
 
 /// Run very many controllers at once, coupled by links.
 #[derive(Args)]
@@ -145,35 +143,21 @@ fn missing(fleet: &Fleet, name: &str) -> Failure {
 /// Reads a fleet and compiles its programs; otherwise its findings are printed.
 fn open(arguments: &Arguments) -> Result<Result<(Fleet, String), Exit>, Failure> {
     let path = &arguments.file;
-    let bytes = files::read(path)?;
-    let mut texts = Texts::default();
-    let text = String::from_utf8(bytes).map_err(|_| Failure::usage(Problem::P7170, format!("`{}` is not UTF-8 text", path.display())))?;
-    let text = text.strip_prefix('\u{FEFF}').unwrap_or(&text);
-    let file = texts.documents.add(path.display().to_string(), text);
-    let (spec, diagnostics) = fleet::parse(text, file);
-    let told = |diagnostics: Vec<sieben_model::diagnostic::Diagnostic>| {
-        let mut findings: Vec<Finding> = diagnostics.into_iter().map(Finding::document).collect();
-        finding::sort(&mut findings);
-        report::print(&findings, &texts, arguments.json);
-    };
+    let read = SpecFile::read(path, Problem::P7170, arguments.json)?;
+    let (spec, diagnostics) = fleet::parse(read.text(), read.file());
     let Some(mut spec) = spec else {
-        told(diagnostics);
+        read.tell(diagnostics);
         return Ok(Err(Exit::DoesNotCompile));
     };
     spec.seed = arguments.seed.unwrap_or(spec.seed);
-    let name = spec.name.clone().unwrap_or_else(|| path.file_stem().unwrap_or_default().to_string_lossy().into_owned());
+    let name = spec.name.clone().unwrap_or_else(|| read.stem());
     let around = Around::of(path, &arguments.program);
     let factory = arguments.engine.settled().factory(StatusBits::Needed);
     match fleet::open(spec, &around, arguments.program.overrides()?, &factory) {
-        Ok(fleet) => Ok(Ok((fleet, name))),
-        Err(Failed::Spec(wrong)) => {
-            told(wrong);
-            Ok(Err(Exit::DoesNotCompile))
+        Ok(fleet) => {
+            read.tell(diagnostics);
+            Ok(Ok((fleet, name)))
         }
-        Err(Failed::Program(build)) => {
-            report::print(&build.findings, &build.project.texts, arguments.json);
-            Ok(Err(Exit::DoesNotCompile))
-        }
-        Err(Failed::Refused(refusal)) => Err(refusal.into()),
+        Err(failed) => read.tell_failed(diagnostics, failed).map(Err),
     }
 }

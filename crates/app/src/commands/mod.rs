@@ -27,6 +27,8 @@ pub(crate) mod top;
 pub(crate) mod trace;
 pub(crate) mod worker;
 
+mod spec_file;
+
 use sieben_workspace::finding;
 use sieben_workspace::project::Build;
 

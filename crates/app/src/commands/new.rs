@@ -93,10 +93,14 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
             made.write(&folder.join(path), &content)?;
         }
         let (shown, example_name) = (folder.display(), example.name);
+        let run = |path: &str| format!("  sieben campaign run {}\n", folder.join(path).display());
+        let campaigns: String =
+            example.files.iter().filter(|(path, _)| path.ends_with(".campaign.toml")).map(|(path, _)| run(path)).collect();
         return output::print(&format!(
             "Made `{shown}`: {}.\n\n  \
              sieben test {shown}\n  \
-             sieben trace {shown} {}\n\n\
+             sieben trace {shown} {}\n\
+             {campaigns}\n\
              {} says what it is, what to try and what to break.\n",
             example.about,
             folder.join(format!("{example_name}.scenario")).display(),

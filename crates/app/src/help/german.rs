@@ -566,6 +566,10 @@ pub(super) const SENTENCES: &[Row] = &[
     ("The result", "Das Ergebnis"),
     ("Write a page to this file", "Eine Seite in diese Datei schreiben"),
     ("Write a report of JUnit to this file", "Einen JUnit-Bericht in diese Datei schreiben"),
+    (
+        "Write its charts, and timing diagrams of what failed, to this folder",
+        "Seine Diagramme, und Impulsdiagramme dessen, was fehlschlug, in diesen Ordner schreiben",
+    ),
     ("Make one result of the results of parts of a campaign", "Aus den Ergebnissen von Teilen einer Kampagne eines machen"),
     ("The results of the parts", "Die Ergebnisse der Teile"),
     ("Write the result to this file", "Das Ergebnis in diese Datei schreiben"),
@@ -751,6 +755,7 @@ pub(super) const BELOW: &[Row] = &[
     ("for the terminal", "für das Terminal"),
     ("one page with charts, without network", "eine Seite mit Diagrammen, ohne Netz"),
     ("a test case for each property", "ein Testfall je Eigenschaft"),
+    ("its charts and timing diagrams as files", "seine Diagramme und Impulsdiagramme als Dateien"),
     (
         "Exit codes: 0 all scenarios are there and all held, 1 a property broke, what has to come sometimes never came, or scenarios are missing, 2 usage, or no result that can be read.",
         "Exitcodes: 0 alle Szenarien sind da und alles gilt, 1 eine Eigenschaft brach, was manchmal kommen muss, kam nie, oder Szenarien fehlen, 2 Aufruf, oder kein lesbares Ergebnis.",

@@ -22,11 +22,11 @@ const VALUES_MAX: usize = 1_000_000;
 /// Reads the text of a campaign. Without an error there is one.
 pub fn parse(text: &str, file: FileId) -> (Option<Spec>, Vec<Diagnostic>) {
     let document = Document::new(text, file, Problem::P7157);
-    let mut reader = Reader { document, spec: Spec { samples: 1, ..Spec::default() } };
+    let mut reader = Reader { document, spec: Spec { samples: 1, ..Spec::default() }, is_full: false };
     if let Some(table) = reader.tables(Problem::P7156) {
         reader.root(table.get_ref());
     }
-    let Reader { spec, document } = reader;
+    let Reader { spec, document, .. } = reader;
     let diagnostics = document.finish();
     let good = diagnostics.iter().all(|diagnostic| diagnostic.problem.severity() != Severity::Error);
     (good.then_some(spec), diagnostics)
@@ -35,6 +35,8 @@ pub fn parse(text: &str, file: FileId) -> (Option<Spec>, Vec<Diagnostic>) {
 struct Reader<'t> {
     document: Document<'t>,
     spec: Spec,
+    /// That there are too many properties was said.
+    is_full: bool,
 }
 
 /// What is read is a document.

@@ -7,6 +7,9 @@ use super::Reader;
 use crate::document::{Value, in_order};
 use crate::spec::{Measure, Of, Placed, Property, PropertyKind};
 
+/// Properties and measures of a campaign.
+const EXPRESSIONS_MAX: usize = 1_000;
+
 impl Reader<'_> {
     /// One `[[never]]` and the like.
     pub(super) fn property(&mut self, kind: &str, item: &Value<'_>, content: &DeTable<'_>) {
@@ -75,6 +78,15 @@ impl Reader<'_> {
 
     /// The name, else the expression; no two of the file are called alike.
     fn own_name(&mut self, name: Option<Placed>, expression: &Placed, item: &Value<'_>) -> Option<Placed> {
+        if self.spec.properties.len() + self.spec.measures.len() >= EXPRESSIONS_MAX {
+            if !std::mem::replace(&mut self.is_full, true) {
+                self.wrong(
+                    item,
+                    format!("a campaign has at most {EXPRESSIONS_MAX} properties and measures: each is computed after every scan"),
+                );
+            }
+            return None;
+        }
         let name =
             name.unwrap_or_else(|| Placed { text: expression.text.split_whitespace().collect::<Vec<_>>().join(" "), ..expression.clone() });
         let properties = self.spec.properties.iter().map(|property| &property.name);

@@ -257,3 +257,14 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn a_file_with_very_many_properties_is_refused_once() {
+    let mut text = "[campaign]\nprogram = \".\"\nfor = \"1s\"\n".to_owned();
+    for index in 0..20_000 {
+        text.push_str(&format!("[[never]]\nexpr = \"a{index}\"\n"));
+    }
+    let (_, diagnostics) = parse(&text, FileId(0));
+    let messages: Vec<&str> = diagnostics.iter().map(|diagnostic| diagnostic.message.as_str()).collect();
+    assert_eq!(messages, ["a campaign has at most 1000 properties and measures: each is computed after every scan"]);
+}

@@ -13,6 +13,7 @@ use sieben_sim::scenario::changing::Timed;
 use sieben_sim::trace::Moment;
 use sieben_sim::wrap::Fault;
 
+use crate::disturbed::{Replayed, is_in_order};
 use rank::Rank;
 
 /// Candidates in a row that bring nothing, after which it ends.
@@ -33,6 +34,8 @@ pub struct Case {
     pub set: Vec<SetValue>,
     /// Values that come from outside, in the order of their times.
     pub at: Vec<Timed>,
+    /// The inputs of the recording that it replays, name by name; each of them comes, as it was recorded or disturbed.
+    pub replayed: Vec<Replayed>,
     /// How signals of plants fail.
     pub faults: Vec<Fault>,
 }
@@ -125,7 +128,7 @@ impl Shrinker<'_> {
     fn attempt(&mut self, candidate: Case) -> bool {
         let mut hasher = DefaultHasher::new();
         format!("{candidate:?}").hash(&mut hasher);
-        if self.is_done() || candidate == self.case || !self.tried.insert(hasher.finish()) {
+        if self.is_done() || candidate == self.case || !is_in_order(&candidate.replayed) || !self.tried.insert(hasher.finish()) {
             return false;
         }
         self.runs += 1;

@@ -4,9 +4,11 @@ use sieben_sim::scenario::changing::Timed;
 use sieben_sim::wrap::Fault;
 
 use super::{Case, Freedom, Shrinker};
+use crate::disturbed::Replayed;
 
 /// Times that are easy to read, the coarsest first, in microseconds.
 const ROUND_US: [u64; 3] = [1_000_000, 100_000, 10_000];
+const MILLISECOND_US: u64 = 1_000;
 /// How often a span is halved.
 const HALVINGS: u32 = 12;
 /// The parameter of plants that makes them uncertain.
@@ -16,6 +18,7 @@ impl Shrinker<'_> {
     pub(super) fn all_passes(&mut self) {
         self.cut();
         self.calm();
+        self.recorded();
         self.events();
         self.faults();
         self.parameters();
@@ -57,6 +60,45 @@ impl Shrinker<'_> {
         if !done {
             self.attempt_with(|case| case.faults.clear());
             self.attempt_with(quiet);
+        }
+    }
+
+    /// What was disturbed comes as it was recorded: all of it, halves of it, smaller and smaller parts, the last first. What is left is
+    /// disturbed less.
+    fn recorded(&mut self) {
+        let all = self.case.replayed.len();
+        let mut size = all;
+        while size > 0 {
+            let mut end = all;
+            while end > 0 {
+                let start = end.saturating_sub(size);
+                self.attempt_with(|case| {
+                    case.replayed[start..end].iter_mut().for_each(|one| *one = Replayed::as_recorded(one.recorded.clone()));
+                });
+                end = start;
+            }
+            size = if size == 1 { 0 } else { size.div_ceil(2) };
+        }
+        for index in 0..all {
+            self.attempt_with(|case| case.replayed[index].bounce = None);
+            self.attempt_with(|case| case.replayed[index].value = case.replayed[index].recorded.value.clone());
+            self.attempt_with(|case| case.replayed[index].time_us = case.replayed[index].recorded.time_us);
+            self.nearer(index);
+        }
+    }
+
+    /// A disturbed input comes as near to its time as it may, by whole milliseconds.
+    fn nearer(&mut self, index: usize) {
+        let Replayed { recorded: Timed { time_us: recorded, .. }, time_us, .. } = self.case.replayed[index];
+        let at = |ms: u64| {
+            let by = ms * MILLISECOND_US;
+            if time_us < recorded { recorded.saturating_sub(by) } else { recorded + by }
+        };
+        let (mut holds, mut breaks) = (0, time_us.abs_diff(recorded).div_ceil(MILLISECOND_US));
+        self.attempt_with(|case| case.replayed[index].time_us = at(breaks));
+        while breaks > holds + 1 {
+            let middle = holds.midpoint(breaks);
+            if self.attempt_with(|case| case.replayed[index].time_us = at(middle)) { breaks = middle } else { holds = middle }
         }
     }
 

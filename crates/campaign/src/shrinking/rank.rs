@@ -4,6 +4,7 @@ use sieben_sim::trace::Moment;
 use std::collections::BTreeSet;
 
 use super::{Case, Freedom};
+use crate::disturbed::Replayed;
 
 /// Compared in the order of its fields.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -13,6 +14,7 @@ pub(super) struct Rank {
     parameters: usize,
     until_us: u64,
     failing_us: u64,
+    moved_ms: u64,
     digits: usize,
     scans: u64,
 }
@@ -32,10 +34,11 @@ impl Rank {
         });
         Self {
             faults: case.faults.len(),
-            events: case.at.len(),
+            events: case.at.len() + case.replayed.iter().map(Replayed::changes).sum::<usize>(),
             parameters: unusual.count() + of_plants.sum::<usize>(),
             until_us: at.time_us,
             failing_us: failing.fold(0, u64::saturating_add),
+            moved_ms: case.replayed.iter().map(|one| one.moved_us().div_ceil(1_000)).fold(0, u64::saturating_add),
             digits: digits_of(case),
             scans: case.scans,
         }
@@ -44,7 +47,8 @@ impl Rank {
 
 /// Significant digits of all numbers; a time counts once, however much comes then.
 fn digits_of(case: &Case) -> usize {
-    let times: BTreeSet<u64> = case.at.iter().map(|one| one.time_us).collect();
+    let disturbed = case.replayed.iter().filter(|one| one.changes() > 0);
+    let times: BTreeSet<u64> = case.at.iter().map(|one| one.time_us).chain(disturbed.map(|one| one.time_us)).collect();
     let of_faults = case.faults.iter().flat_map(|fault| [fault.from_us, fault.until_us]).flatten();
     let in_times: usize = times.into_iter().chain(of_faults).map(|time| digits(&time.to_string())).sum();
     let values = case.set.iter().map(|set| &set.value).chain(case.at.iter().map(|one| &one.value));

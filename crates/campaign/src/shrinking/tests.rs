@@ -28,6 +28,7 @@ fn case() -> Case {
             SetValue { name: "Gain".to_owned(), value: "7.31".to_owned(), freedom: Freedom::Optional },
         ],
         at: events,
+        replayed: Vec::new(),
         faults: vec![Fault {
             module: "oven".to_owned(),
             signal: "t".to_owned(),
@@ -98,4 +99,32 @@ fn another_way_to_fail_is_not_taken_and_it_ends_when_it_is_told() {
     let told = shrink(case(), broken, &mut other, &|| true);
     assert_eq!((told.case, told.runs), (case(), 0));
     assert!(runs < RUNS_MAX, "{runs}");
+}
+
+/// Breaks where the third value of `Pulse` comes before `Stop`, whatever else is disturbed.
+fn breaks_by_time(case: &Case) -> Option<Break> {
+    let time = |name: &str, index: usize| case.replayed.iter().filter(|one| one.recorded.name == name).nth(index).map(|one| one.time_us);
+    let (pulse, stop) = (time("Pulse", 2)?, time("Stop", 0)?);
+    (pulse <= stop).then(|| Break { signature: signature("recording"), at: Moment { scan: 40, time_us: 400_000 } })
+}
+
+#[test]
+fn of_a_recording_only_the_disturbance_goes_and_never_an_input() {
+    let recorded = |time_us: u64, name: &str, value: &str| Replayed::as_recorded(at(time_us, name, value));
+    let mut replayed: Vec<Replayed> =
+        (1..=6).map(|n: u64| recorded(n * 100_000, "Pulse", if n.is_multiple_of(2) { "0" } else { "1" })).collect();
+    replayed.push(recorded(290_000, "Stop", "0"));
+    for (index, one) in replayed.iter_mut().enumerate() {
+        one.time_us = if index.is_multiple_of(2) { one.time_us - 12_345 } else { one.time_us + 14_321 };
+    }
+    replayed[0].bounce = Some((90_000, 95_000));
+    let first = Case { replayed, at: Vec::new(), set: Vec::new(), plants: Vec::new(), faults: Vec::new(), ..case() };
+    assert_eq!(breaks_by_time(&first), None);
+    let mut first = first;
+    first.replayed[6].time_us = 301_000;
+    let broken = breaks_by_time(&first).expect("it breaks");
+    let shrunk = shrink(first, broken, &mut breaks_by_time, &|| false);
+    let left: Vec<(&str, u64)> =
+        shrunk.case.replayed.iter().filter(|one| one.changes() > 0).map(|one| (one.recorded.name.as_str(), one.time_us)).collect();
+    assert_eq!((left.as_slice(), shrunk.case.replayed.len()), ([("Pulse", 290_000)].as_slice(), 7));
 }

@@ -25,6 +25,8 @@ pub struct Written {
 #[derive(Debug, Default)]
 pub struct Writers {
     spots: Vec<Spot>,
+    /// The last statement of each block that runs, the calling one first.
+    running: Vec<FaultPlace>,
     scan: u64,
     /// A restart clears memory, which no statement has done.
     restarts: bool,
@@ -49,7 +51,7 @@ impl Writers {
             let mask = if bit { 1 << (signal.address.bit & 7) } else { 0xFF };
             Spot { before: memory.arena[bytes.clone()].to_vec(), bytes, mask, written: None }
         });
-        Self { spots: spots.collect(), scan: 0, restarts: false }
+        Self { spots: spots.collect(), ..Self::default() }
     }
 
     /// Who wrote each variable last, in the order given.
@@ -59,9 +61,29 @@ impl Writers {
 
     /// What changes between two statements is nobody's: inputs are read, the clock memory goes on, a restart clears.
     fn settle(&mut self, machine: &Machine) {
+        self.running.clear();
         for spot in &mut self.spots {
             spot.before.copy_from_slice(&machine.memory.arena[spot.bytes.clone()]);
         }
+    }
+
+    /// What has changed since the last look was changed by this statement.
+    fn look(&mut self, machine: &Machine, place: FaultPlace) {
+        let (scan, time_us) = (self.scan, machine.clock_us);
+        for spot in &mut self.spots {
+            let now = &machine.memory.arena[spot.bytes.clone()];
+            if now.iter().zip(&spot.before).any(|(now, before)| (now ^ before) & spot.mask != 0) {
+                spot.written = Some(Written { place, scan, time_us });
+            }
+            spot.before.copy_from_slice(now);
+        }
+    }
+
+    /// Whether a block is among those that run; then those that it called have ended.
+    fn back_in(&mut self, place: &FaultPlace) -> bool {
+        let Some(index) = self.running.iter().rposition(|running| running.block == place.block) else { return false };
+        self.running.truncate(index + 1);
+        true
     }
 }
 
@@ -92,14 +114,24 @@ impl Tracer for Writers {
         if std::mem::take(&mut self.restarts) {
             return self.settle(machine);
         }
-        let (scan, time_us) = (self.scan, machine.clock_us);
-        for spot in &mut self.spots {
-            let now = &machine.memory.arena[spot.bytes.clone()];
-            if now.iter().zip(&spot.before).any(|(now, before)| (now ^ before) & spot.mask != 0) {
-                spot.written = Some(Written { place: event.place, scan, time_us });
+        self.look(machine, event.place);
+        match self.back_in(&event.place) {
+            true => self.running.pop(),
+            false => None,
+        };
+        self.running.push(event.place);
+    }
+
+    /// What a call gives a block, and what it takes back when the block has ended, is written between two statements: by the call.
+    fn pauses_before(&mut self, machine: &Machine, place: FaultPlace) -> bool {
+        let same_block = self.running.last().is_none_or(|last| last.block == place.block);
+        if !same_block && !self.restarts {
+            self.back_in(&place);
+            if let Some(&call) = self.running.last() {
+                self.look(machine, call);
             }
-            spot.before.copy_from_slice(now);
         }
+        false
     }
 }
 

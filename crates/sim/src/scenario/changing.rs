@@ -26,6 +26,18 @@ impl Scenario {
         self.lines.iter().flat_map(of).collect()
     }
 
+    /// The names of its `always` lines, each once.
+    pub fn held(&self) -> Vec<&str> {
+        let mut names: Vec<&str> = Vec::new();
+        for line in &self.lines {
+            if let Command::Always(values) = &line.command {
+                let new: Vec<&str> = values.iter().map(|one| one.name.as_str()).filter(|name| !names.contains(name)).collect();
+                names.extend(new);
+            }
+        }
+        names
+    }
+
     /// How many scans its lines ask for, without those whose number depends on what happens.
     pub fn scans(&self) -> u64 {
         let of = |line: &Line| match line.command {
@@ -69,7 +81,7 @@ mod tests {
             timed.iter().map(|one| (one.time_us, one.name.as_str(), one.value.as_str())).collect::<Vec<_>>(),
             [(100_000, "I 0.0", "1"), (100_000, "MW 4", "5"), (150_000, "I 0.0", "0"),]
         );
-        assert_eq!(scenario.scans(), 5 + 2 + 50);
+        assert_eq!((scenario.scans(), scenario.held()), (5 + 2 + 50, vec!["Q 0.0"]));
         let other = scenario.with_timed(Vec::new(), vec![Timed { time_us: 7_000, ..timed[2].clone() }]);
         assert_eq!(
             other.to_string(),

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::property::PropertyLine;
-use super::{Assignments, Command, Line, PlantLine, Scenario};
+use super::{Allowed, Assignments, Command, Line, PlantLine, Scenario};
 use crate::names::Setting;
 use crate::wrap::Fault;
 
@@ -46,5 +46,11 @@ impl Scenario {
     #[must_use]
     pub fn with_properties(self, properties: Vec<PropertyLine>) -> Self {
         Self { properties, ..self }
+    }
+
+    /// The same scenario, which allows this in the place of what it allowed.
+    #[must_use]
+    pub fn allowing(self, allowed: Allowed) -> Self {
+        Self { allowed, ..self }
     }
 }

@@ -70,6 +70,11 @@ impl Rules {
         }
     }
 
+    /// A number may be so far from what is expected, where nothing else is said of all numbers.
+    pub(super) fn tolerate_usually(&mut self, tolerance: Tolerance) {
+        self.usual_tolerance.get_or_insert(tolerance);
+    }
+
     /// This name is not compared.
     pub fn ignore(&mut self, name: &str) {
         self.ignored.insert(key(name));

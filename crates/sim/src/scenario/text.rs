@@ -59,6 +59,7 @@ impl Scenario {
             writeln!(f)?;
         }
         self.properties.iter().try_for_each(|property| writeln!(f, "{property}"))?;
+        write!(f, "{}", self.allowed)?;
         if let Some(start) = self.start {
             writeln!(f, "start {}", start.word())?;
         }
@@ -138,7 +139,7 @@ mod tests {
              cyclic OB 35 50ms phase 10ms\nretain m=0..31,40 t=1 c=\nstart cold\nstart with I 0.1=1 PIW256=100\nclock DT#2026-11-22-09:30:00\n\
              force I 0.0=1 Q 4.0=0\nunforce I 0.0\nunforce\nfault tank.level stuck=50@10s..20s\nmend tank.level\nmodule 4 fails\npower failure\n\
              interrupt OB 40\nat 310ms interrupt OB 82 EVENT=16#3942 ID=16#0000 INFO1=16#0004 INFO2=16#00000000\nalways Q 0.0=1 MW 4=7\nscan",
-            "recorded 0123456789ABCDEF \"main.awl\"\nscan 2\nend 2\n",
+            "recorded 0123456789ABCDEF \"main.awl\"\nallow within 1500us\nallow tolerance 0.5%\nallow ignore Lamp \"my name\"\nscan 2\nend 2\n",
         ];
         for text in all {
             let scenario = Scenario::parse(text).expect("a scenario");

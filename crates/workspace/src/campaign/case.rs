@@ -1,5 +1,6 @@
 //! A scenario of a campaign as a case that can be made smaller, and back.
 
+use sieben_campaign::disturbed::timed;
 use sieben_campaign::given::Given;
 use sieben_campaign::shrinking::{Case, Freedom, SetValue};
 use sieben_sim::names::{Name, Setting};
@@ -25,22 +26,18 @@ impl Subject {
             value: one.text.clone(),
             freedom: freedom(index),
         };
-        let mut at = match &campaign.recording {
-            Some(recording) => self.moved(recording, &campaign.spec, given),
-            None => Vec::new(),
-        };
-        at.extend(parts.at.iter().map(|(time_us, one)| Timed {
-            time_us: *time_us,
-            name: one.name.text().to_owned(),
-            value: one.text.clone(),
-        }));
+        let written =
+            |(time_us, one): &(u64, Setting)| Timed { time_us: *time_us, name: one.name.text().to_owned(), value: one.text.clone() };
+        let mut at: Vec<Timed> = parts.at.iter().map(written).collect();
         at.sort_by_key(|one| one.time_us);
+        let replayed = campaign.recording.as_ref().map(|recording| self.replayed(recording, &campaign.spec, given));
         Ok(Case {
             cycle_us: self.cycle_us,
             scans: self.scans,
             plants: if campaign.recording.is_some() { Vec::new() } else { parts.plants },
             set: parts.set.iter().enumerate().map(set).collect(),
             at,
+            replayed: replayed.unwrap_or_default(),
             faults: parts.faults,
         })
     }
@@ -53,7 +50,10 @@ impl Subject {
         };
         let set: Vec<Setting> = case.set.iter().map(|one| setting(&one.name, &one.value)).collect::<Result<_, _>>()?;
         if let Some(recording) = &campaign.recording {
-            return Ok(recording.with_timed(set, case.at.clone()));
+            let mut timed = timed(&case.replayed);
+            timed.extend(case.at.iter().cloned());
+            timed.sort_by_key(|one| one.time_us);
+            return Ok(recording.with_timed(set, timed));
         }
         let at = case.at.iter().map(|one| Ok((one.time_us, setting(&one.name, &one.value)?))).collect::<Result<_, String>>()?;
         // A plant of which nothing is said is as in the project.

@@ -11,7 +11,7 @@ use sieben_model::testing::Signal;
 use sieben_model::types::DataType;
 use sieben_sim::names::{Name, Sample};
 use sieben_sim::runner::{Watcher as _, Writers, Written};
-use sieben_sim::scenario::{Happened, Onlooker, Scenario};
+use sieben_sim::scenario::{Happened, Onlooker, Rules, Scenario};
 use sieben_sim::timing_diagram::Mark;
 use sieben_sim::trace::{Channel, Keep, Memory, Moment, Origin, Recorder, Trace};
 
@@ -37,16 +37,17 @@ pub struct Found {
     pub diagram: Option<(Trace, Mark)>,
 }
 
+/// What a word names in the program, if it has a place there.
+fn named(word: &str, subject: &Subject) -> Option<Name> {
+    let (symbols, program) = (&subject.build.project.symbols, &subject.build.compiled.program);
+    Name::parse(word, symbols, program).ok().filter(|name| !name.is_register() && name.operand().is_some())
+}
+
 /// The names of the program in an expression, each once.
 fn operands(expression: &str, subject: &Subject) -> Vec<Name> {
-    let (symbols, program) = (&subject.build.project.symbols, &subject.build.compiled.program);
     let mut names: Vec<Name> = Vec::new();
-    for word in watching::words(expression) {
-        if let Ok(name) = Name::parse(word, symbols, program)
-            && !name.is_register()
-            && name.operand().is_some()
-            && names.iter().all(|known| known.text() != name.text())
-        {
+    for name in watching::words(expression).into_iter().filter_map(|word| named(word, subject)) {
+        if names.iter().all(|known| known.text() != name.text()) {
             names.push(name);
         }
     }
@@ -150,10 +151,11 @@ pub(super) fn look(
     may_go_on: &dyn Fn() -> bool,
 ) -> Option<Found> {
     let spec = &campaign.spec;
-    // What all properties say: which of them breaks is not known yet.
+    // What all properties and the recording say: which of them breaks is not known yet.
     let mut all: Vec<Name> = Vec::new();
     let expressions = spec.properties.iter().flat_map(|property| std::iter::once(&property.expression).chain(&property.then));
-    for name in expressions.flat_map(|expression| operands(&expression.text, subject)) {
+    let recorded = scenario.held().into_iter().flat_map(|name| named(name, subject));
+    for name in expressions.flat_map(|expression| operands(&expression.text, subject)).chain(recorded) {
         if all.iter().all(|known| known.text() != name.text()) {
             all.push(name);
         }
@@ -166,23 +168,30 @@ pub(super) fn look(
         return None;
     }
     let (verdict, broken, message) = first.looking.end.take()?;
-    let at = broken.map(|broken| broken.at).or(first.looking.differs).or(first.looking.last)?;
+    let differs = first.looking.differs.take().filter(|_| broken.is_none());
+    let at = broken.map(|broken| broken.at).or(differs.as_ref().map(|difference| difference.moment)).or(first.looking.last)?;
     let property = broken.and_then(|broken| spec.properties.get(broken.property));
     let (what, message) = match (property, verdict) {
         (Some(property), _) => {
             (property.name.clone(), format!("\"{}\": `{}` {} after {at}", property.name, property.expression.text, property.kind.demand()))
         }
         (None, Verdict::Stop) => ("stop".to_owned(), format!("the CPU went to STOP: {}", message.clone().unwrap_or_default())),
-        (None, _) => ("recording".to_owned(), message.clone().unwrap_or_default()),
-    };
-    let said: Vec<usize> = match property {
-        Some(property) => {
-            let texts = std::iter::once(&property.expression).chain(&property.then);
-            let names: Vec<Name> = texts.flat_map(|text| operands(&text.text, subject)).collect();
-            (0..all.len()).filter(|&index| names.iter().any(|name| name.text() == all[index].text())).collect()
+        (None, _) => {
+            let what = differs
+                .as_ref()
+                .map_or_else(|| "recording".to_owned(), |difference| format!("{} as recorded", difference.name.trim_matches('"')));
+            (what, message.clone().unwrap_or_default())
         }
-        None => Vec::new(),
     };
+    let names: Vec<Name> = match (property, &differs) {
+        (Some(property), _) => {
+            let texts = std::iter::once(&property.expression).chain(&property.then);
+            texts.flat_map(|text| operands(&text.text, subject)).collect()
+        }
+        (None, Some(difference)) => named(&difference.name, subject).into_iter().collect(),
+        (None, None) => Vec::new(),
+    };
+    let said: Vec<usize> = (0..all.len()).filter(|&index| names.iter().any(|name| name.text() == all[index].text())).collect();
     // A STOP has its place in what it says.
     let place_of_stop = if verdict == Verdict::Stop { Some(message.clone()) } else { None };
     let lanes = lanes(subject, scenario, said.iter().map(|&index| &all[index]));
@@ -211,7 +220,12 @@ pub(super) fn look(
     });
     let reasons = reasons.collect();
     let signature = Signature { what, place: place.or(place_of_stop) };
-    let diagram = if wants_diagram { drawn(&second.rows, &lanes, at, property.map(|property| property.name.as_str())) } else { None };
+    let label = match (property, differs) {
+        (Some(property), _) => property.name.clone(),
+        (None, Some(difference)) => difference.name.trim_matches('"').to_owned(),
+        (None, None) => "here".to_owned(),
+    };
+    let diagram = if wants_diagram { drawn(&second.rows, &lanes, at, label) } else { None };
     Some(Found { broken: Break { signature, at }, message, reasons, diagram })
 }
 
@@ -219,7 +233,7 @@ pub(super) fn look(
 fn go(campaign: &Campaign, subject: &Subject, scenario: &Scenario, onlooker: &mut dyn Onlooker) -> Option<()> {
     let mut rack = Some(running::rack(campaign, subject, scenario).ok()?);
     let mut fresh = || subject.fresh(Way::Chosen, rack.take().unwrap_or_else(|| sieben_cpu::Rack::simulated(subject.cpu)));
-    scenario.run_with(&subject.build.project.symbols, &subject.rules, &mut fresh, onlooker);
+    scenario.run_with(&subject.build.project.symbols, &Rules::default(), &mut fresh, onlooker);
     Some(())
 }
 
@@ -242,11 +256,11 @@ fn lanes<'n>(subject: &Subject, scenario: &Scenario, said: impl Iterator<Item = 
     lanes
 }
 
-fn drawn(rows: &VecDeque<(Moment, Vec<Sample>)>, lanes: &[Name], at: Moment, property: Option<&str>) -> Option<(Trace, Mark)> {
+fn drawn(rows: &VecDeque<(Moment, Vec<Sample>)>, lanes: &[Name], at: Moment, label: String) -> Option<(Trace, Mark)> {
     let channels = lanes.iter().map(|name| Channel { name: name.text().trim_matches('"').to_owned(), kind: name.recorded() }).collect();
     let mut recorder = Recorder::of_channels(channels, Keep::All, Origin::default(), Box::new(Memory::default())).ok()?;
     for (moment, values) in rows {
         recorder.put(*moment, values).ok()?;
     }
-    Some((recorder.finish().ok()?, Mark { moment: at, label: property.unwrap_or("here").to_owned() }))
+    Some((recorder.finish().ok()?, Mark { moment: at, label }))
 }

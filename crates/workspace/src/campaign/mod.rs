@@ -2,6 +2,7 @@
 
 mod case;
 mod closely;
+mod distance;
 mod opening;
 mod running;
 mod shrinking;
@@ -20,7 +21,7 @@ use sieben_engine::{Engine, Interpreter, Layout, Program};
 use sieben_model::cpu_type::CpuType;
 use sieben_model::diagnostic::Diagnostic;
 use sieben_sim::names::{Name, Setting};
-use sieben_sim::scenario::{Rules, Scenario};
+use sieben_sim::scenario::Scenario;
 
 use crate::project::Build;
 use targets::Target;
@@ -62,8 +63,6 @@ pub struct Subject {
     watching: Watching,
     cycle_us: u64,
     scans: u64,
-    /// How closely a recording is followed.
-    rules: Rules,
     /// What is set before the first scan, whatever the number is.
     set: Vec<Setting>,
     /// Parameters of plants that are the same in every scenario: module, parameter, value.

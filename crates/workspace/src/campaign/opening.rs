@@ -12,7 +12,7 @@ use sieben_model::diagnostic::Diagnostic;
 use sieben_model::problems::Problem;
 use sieben_sim::names::Name;
 use sieben_sim::scenario::rules::Tolerance;
-use sieben_sim::scenario::{Rules, Scenario};
+use sieben_sim::scenario::{Allowed, Scenario};
 
 use super::targets::{self, Rounding, Target};
 use super::watching::{self, Failed as NotCompiled, Watched};
@@ -87,27 +87,22 @@ fn recording(replay: &Replay, files: &dyn Files, bundle: &mut Bundle) -> Result<
         let message = format!("`{path}` has a table, whose rows are scenarios of their own");
         return Err(Failed::Spec(vec![told(message).help("let `[sweep]` or `[exhaustive]` go through its values")]));
     }
-    Ok(scenario)
-}
-
-/// What has to be the same as in the recording, and by how much it may be off.
-fn rules(spec: &Spec, scenario: Option<&Scenario>) -> Rules {
-    let mut rules = Rules::default();
-    if let (Some(replay), Some(scenario)) = (&spec.replay, scenario) {
-        rules.within = replay.within_us.div_ceil(scenario.cycle_us().max(1));
-        if let Some(by) = replay.tolerance {
-            rules.tolerate(None, Tolerance::Absolute(by));
-        }
-        replay.ignore.iter().for_each(|name| rules.ignore(name));
-    }
-    rules
+    // What the recording allows itself holds where the campaign does not say more.
+    let own = scenario.allowed();
+    let allowed = Allowed {
+        within_us: own.within_us.max(replay.within_us),
+        tolerance: replay.tolerance.map(Tolerance::Absolute).or(own.tolerance),
+        ignored: own.ignored.iter().chain(&replay.ignore).cloned().collect(),
+    };
+    Ok(scenario.allowing(allowed))
 }
 
 /// Names of the recording that the program does not have.
-fn missing(spec: &Spec, scenario: &Scenario, build: &Build, rules: &Rules) -> Vec<Diagnostic> {
+fn missing(spec: &Spec, scenario: &Scenario, build: &Build) -> Vec<Diagnostic> {
     let Some(replay) = &spec.replay else { return Vec::new() };
     let missing = |(line, name): (usize, &str)| {
-        let error = Name::parse(name, &build.project.symbols, &build.compiled.program).err().filter(|_| !rules.is_ignored(name))?;
+        let error =
+            Name::parse(name, &build.project.symbols, &build.compiled.program).err().filter(|_| !scenario.allowed().ignores(name))?;
         Some(Diagnostic::new(Problem::P7161, replay.scenario.span, format!("`{}`, line {line}: {error}", replay.scenario.text)))
     };
     scenario.names().into_iter().filter_map(missing).take(ERRORS_MAX).collect()
@@ -177,9 +172,8 @@ fn subject(
             })
         }
     };
-    let rules = rules(spec, recording);
     if let Some(scenario) = recording {
-        wrong.extend(missing(spec, scenario, &build, &rules));
+        wrong.extend(missing(spec, scenario, &build));
         let plant = all.iter().any(|target| matches!(target, Target::Plant(..)));
         if plant || !fixed.is_empty() || !spec.faults.is_empty() {
             let place = spec.replay.as_ref().map_or_else(|| spec.span(), |replay| replay.scenario.span);
@@ -200,7 +194,7 @@ fn subject(
     let scans = recording.map_or_else(|| scans(spec, cycle_us), Scenario::scans);
     let settings = controller::settings(&build);
     let interpreted = OnceLock::new();
-    Ok(Subject { path, cpu, loaded, interpreted, settings, watching, cycle_us, scans, rules, set, fixed, targets: all, bits, build })
+    Ok(Subject { path, cpu, loaded, interpreted, settings, watching, cycle_us, scans, set, fixed, targets: all, bits, build })
 }
 
 /// How many scans begin before a scenario ends: one, if nothing is said and every combination is tried.

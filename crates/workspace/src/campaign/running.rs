@@ -1,19 +1,18 @@
 //! The run of one scenario: nothing of it depends on the thread, on the time of day or on the scenarios before it.
 
-use sieben_campaign::disturbed::{Width, disturbed};
+use sieben_campaign::disturbed::{Replayed, Width, disturbed};
 use sieben_campaign::draws::Stream;
 use sieben_campaign::given::Given;
 use sieben_campaign::judge::{Broken, Judge};
 use sieben_campaign::row::{Row, Verdict};
 use sieben_campaign::slots;
-use sieben_campaign::spec::{PropertyKind, Spec, Value};
+use sieben_campaign::spec::{Disturb, PropertyKind, Spec, Value};
 use sieben_cpu::{Cpu, OperatingMode, Rack};
 use sieben_model::address::Area;
 use sieben_sim::names::{Name, Setting};
-use sieben_sim::scenario::changing::Timed;
 use sieben_sim::scenario::made::Parts;
 use sieben_sim::scenario::property::PropertyLine;
-use sieben_sim::scenario::{Happened, Onlooker, PlantLine, Scenario};
+use sieben_sim::scenario::{Difference, Happened, Onlooker, PlantLine, Rules, Scenario};
 use sieben_sim::trace::Moment;
 
 use super::targets::{self, Rounding, Target};
@@ -24,11 +23,10 @@ use crate::settings::modules;
 impl Subject {
     /// The scenario that is made of what is given.
     pub(super) fn scenario(&self, campaign: &Campaign, given: &Given) -> Result<Scenario, String> {
-        let parts = self.parts(campaign, given)?;
-        Ok(match &campaign.recording {
-            Some(recording) => self.replayed(recording, &campaign.spec, given, parts),
-            None => Scenario::made(parts),
-        })
+        match campaign.recording {
+            Some(_) => self.scenario_of(campaign, &self.case(campaign, given)?),
+            None => Ok(Scenario::made(self.parts(campaign, given)?)),
+        }
     }
 
     /// What a scenario consists of beside its recording.
@@ -75,17 +73,8 @@ impl Subject {
         })
     }
 
-    /// A recording with its inputs disturbed, and what else is given.
-    fn replayed(&self, recording: &Scenario, spec: &Spec, given: &Given, parts: Parts) -> Scenario {
-        let mut timed = self.moved(recording, spec, given);
-        let at = parts.at.into_iter();
-        timed.extend(at.map(|(time_us, setting)| Timed { time_us, name: setting.name.text().to_owned(), value: setting.text }));
-        timed.sort_by_key(|one| one.time_us);
-        recording.with_timed(parts.set, timed)
-    }
-
-    /// The inputs of a recording, disturbed.
-    pub(super) fn moved(&self, recording: &Scenario, spec: &Spec, given: &Given) -> Vec<Timed> {
+    /// The inputs of a recording, each as it comes in a scenario.
+    pub(super) fn replayed(&self, recording: &Scenario, spec: &Spec, given: &Given) -> Vec<Replayed> {
         let width = |name: &str| {
             let parsed = Name::parse(name, &self.build.project.symbols, &self.build.compiled.program);
             match parsed.map_or(16, |name| name.item().width()) {
@@ -93,11 +82,7 @@ impl Subject {
                 bits => Width::Word(bits),
             }
         };
-        let recorded = recording.timed();
-        match &spec.disturb {
-            Some(disturb) => disturbed(&recorded, disturb, given.seed, &width),
-            None => recorded,
-        }
+        disturbed(&recording.timed(), spec.disturb.as_ref().unwrap_or(&Disturb::default()), given.seed, &width)
     }
 
     /// The plants, each with the seed that it has in the scenario.
@@ -149,6 +134,7 @@ fn blank(spec: &Spec, given: &Given) -> Row {
         at: None,
         scans: 0,
         virtual_us: 0,
+        margin: None,
         trace_hash: 0,
         parameters: given.values.iter().map(|(_, value)| value.clone()).collect(),
         faults: (0..spec.faults.len())
@@ -177,7 +163,7 @@ pub(super) fn run(campaign: &Campaign, given: &Given, way: Way, may_go_on: &dyn 
                 let mut rack = Some(rack);
                 // A scenario that code makes has one CPU.
                 let mut fresh = || subject.fresh(way, rack.take().unwrap_or_else(|| Rack::simulated(subject.cpu)));
-                scenario.run_with(&subject.build.project.symbols, &subject.rules, &mut fresh, &mut looking);
+                scenario.run_with(&subject.build.project.symbols, &Rules::default(), &mut fresh, &mut looking);
                 looking.ended();
             }
             Err(message) => looking.end = Some((Verdict::Error, None, Some(message))),
@@ -185,6 +171,7 @@ pub(super) fn run(campaign: &Campaign, given: &Given, way: Way, may_go_on: &dyn 
         if looking.given_up {
             return Err(looking.scans);
         }
+        row.margin = nearer(row.margin, looking.margin);
         if index == 0 {
             row.measures = looking.judge.measured();
             row.came = looking.judge.came().to_vec();
@@ -193,7 +180,8 @@ pub(super) fn run(campaign: &Campaign, given: &Given, way: Way, may_go_on: &dyn 
         if let Some((verdict, broken, message)) = looking.end {
             row.verdict = verdict;
             row.property = broken.map(|broken| broken.property);
-            row.at = broken.map(|broken| broken.at).or(looking.differs).or(looking.last);
+            let differs = looking.differs.as_ref().map(|difference| difference.moment);
+            row.at = broken.map(|broken| broken.at).or(differs).or(looking.last);
             row.message = match campaign.programs.len() {
                 1 => message,
                 _ => Some(format!("in `{}`{}", subject.path, message.map_or(String::new(), |message| format!(": {message}")))),
@@ -203,6 +191,11 @@ pub(super) fn run(campaign: &Campaign, given: &Given, way: Way, may_go_on: &dyn 
         kept = looking.kept.take();
     }
     Ok(row)
+}
+
+/// The less of two distances to a break.
+fn nearer(one: Option<f64>, other: Option<f64>) -> Option<f64> {
+    one.into_iter().chain(other).min_by(f64::total_cmp)
 }
 
 /// The scenario with the modules that it runs with.
@@ -234,13 +227,15 @@ pub(super) struct Looking<'s> {
     values: Vec<f64>,
     outputs: Vec<u8>,
     hash: u64,
+    /// The least distance of a property to its break.
+    margin: Option<f64>,
     pub(super) scans: u64,
     pub(super) last: Option<Moment>,
     pub(super) end: Option<End>,
     may_go_on: &'s dyn Fn() -> bool,
     pub(super) given_up: bool,
-    /// Where it differs from the recording.
-    pub(super) differs: Option<Moment>,
+    /// What differs from the recording first.
+    pub(super) differs: Option<Difference>,
     /// What the program before this one came to, scan by scan, and what this one does.
     before: Option<Vec<f64>>,
     kept: Option<Vec<f64>>,
@@ -264,6 +259,7 @@ impl<'s> Looking<'s> {
             values: Vec::new(),
             outputs: Vec::new(),
             hash: 0,
+            margin: None,
             scans: 0,
             last: None,
             end: None,
@@ -292,6 +288,7 @@ impl<'s> Looking<'s> {
             self.end = Some((Verdict::Error, None, Some(message)));
             return;
         }
+        self.margin = nearer(self.margin, self.subject.watching.distance(&self.values));
         if let Some(broken) = self.judge.scanned(scan, &self.values).or_else(|| self.compared(scan)) {
             self.end = Some((Verdict::Fail, Some(broken), None));
         }
@@ -340,7 +337,7 @@ impl Onlooker for Looking<'_> {
     fn see(&mut self, happened: Happened<'_>) {
         match happened {
             Happened::Scan { cpu, time_us, .. } if self.end.is_none() => self.scanned(cpu, time_us),
-            Happened::Differs(difference) => self.differs = Some(difference.moment),
+            Happened::Differs(difference) if self.differs.is_none() => self.differs = Some(difference.clone()),
             Happened::Failed(error) if self.end.is_none() => {
                 let verdict = if self.differs.is_some() { Verdict::Fail } else { Verdict::Error };
                 self.end = Some((verdict, None, Some(error.message.clone())));

@@ -1,10 +1,13 @@
 //! A scenario of a campaign that fails, made as small as it fails in the same way.
 
+use sieben_campaign::disturbed::Replayed;
 use sieben_campaign::shrinking::shrink;
 use sieben_sim::scenario::Scenario;
+use sieben_sim::scenario::changing::Timed;
 
 use super::closely::{self, Found};
 use super::{Campaign, running};
+use crate::duration;
 
 /// The smallest scenario that was found.
 pub struct Smaller {
@@ -30,7 +33,10 @@ impl Campaign {
             let mut breaks = |case: &_| Some(look(&subject.scenario_of(self, case).ok()?, false)?.broken);
             let shrunk = shrink(case, found.broken, &mut breaks, is_over);
             let scenario = subject.scenario_of(self, &shrunk.case)?;
-            let found = closely::look(self, subject, &scenario, true, &|| true).ok_or("it does not fail twice")?;
+            let mut found = closely::look(self, subject, &scenario, true, &|| true).ok_or("it does not fail twice")?;
+            if self.recording.is_some() {
+                found.reasons.extend(disturbances(&shrunk.case.replayed));
+            }
             return Ok(Smaller { scenario: scenario.with_properties(running::properties(&self.spec)), found, runs: shrunk.runs });
         }
         Err(match self.programs.len() {
@@ -40,4 +46,29 @@ impl Campaign {
             ),
         })
     }
+}
+
+/// What comes otherwise than it was recorded, a line each.
+fn disturbances(replayed: &[Replayed]) -> Vec<String> {
+    let show = |us: u64| format!("{} ms", duration::milliseconds(us));
+    let mut all: Vec<(u64, String)> = Vec::new();
+    for one in replayed.iter().filter(|one| one.changes() > 0) {
+        let Timed { time_us, name, value } = &one.recorded;
+        let mut line = format!("`{}` = {} comes at {}", name.trim_matches('"'), one.value, show(one.time_us));
+        if one.moved_us() > 0 {
+            line.push_str(&format!(", recorded at {}", show(*time_us)));
+        }
+        if one.value != *value {
+            line.push_str(&format!(", recorded as {value}"));
+        }
+        if let Some((from, until)) = one.bounce {
+            line.push_str(&format!(", and bounces from {} to {}", show(from), show(until)));
+        }
+        all.push((one.time_us, line));
+    }
+    all.sort();
+    if all.is_empty() {
+        return vec!["every input comes as it was recorded".to_owned()];
+    }
+    all.into_iter().map(|(_, line)| line).collect()
 }

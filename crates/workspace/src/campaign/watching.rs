@@ -1,5 +1,6 @@
 //! The expressions of a campaign as a part of the program: a test block that computes all of them after a scan.
 
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::path::Path;
 
@@ -16,6 +17,7 @@ use sieben_model::source::{FileId, Span};
 use sieben_model::types::DataType;
 use sieben_sim::names::Name;
 
+use super::distance::Distances;
 use crate::controller;
 use crate::finding::Origin;
 use crate::project::{Build, Overrides, Project};
@@ -28,6 +30,9 @@ const SOURCE: &str = "campaign.test.st";
 pub(crate) struct Watching {
     block: BlockId,
     values: Vec<Computed>,
+    /// Where the operands of the distances begin among the values.
+    operands: usize,
+    distances: Distances,
 }
 
 /// A variable that the value of an expression is stored in.
@@ -60,30 +65,40 @@ pub(crate) struct Watched {
 /// # Errors
 /// The program does not compile, then with its findings; or an expression does not, then with its place in the file of the campaign.
 pub(crate) fn compile(project: &Project, spec: &Spec, overrides: Overrides) -> Result<Watched, Failed> {
-    let all = slots(spec);
-    let mut wrong: Vec<(usize, Diagnostic)> = all.iter().enumerate().filter_map(|(index, slot)| Some((index, statements(slot)?))).collect();
+    let own = slots(spec);
+    let mut wrong: Vec<(usize, Diagnostic)> = own.iter().enumerate().filter_map(|(index, slot)| Some((index, statements(slot)?))).collect();
     if !wrong.is_empty() {
         return Err(Failed::Expressions(wrong));
     }
     let dialect = overrides.dialect.or(project.settings.dialect);
     let real = if dialect.is_none_or(|dialect| dialect == Dialect::Scl) { As::Real } else { As::LongReal };
-    let mut kinds: Vec<As> = all.iter().map(|slot| if slot.wanted == Wanted::Boolean { As::Boolean } else { real }).collect();
+    let kinds_of = |slots: &[Slot<'_>]| -> Vec<As> {
+        slots.iter().map(|slot| if slot.wanted == Wanted::Boolean { As::Boolean } else { real }).collect()
+    };
+    let mut own_kinds = kinds_of(&own);
+    let mut distances = Distances::of(spec, dialect.unwrap_or(Dialect::Scl));
     loop {
+        let all: Vec<Slot<'_>> = own.iter().copied().chain(distances.slots()).collect();
+        let mut kinds = own_kinds.clone();
+        kinds.extend(kinds_of(&all[own.len()..]));
         let source = Source::of(&all, &kinds);
         let mut with = project.clone();
         with.add_source(Path::new(SOURCE), source.text.as_bytes());
         let file = with.sources.last().map_or(FileId(0), |source| source.id);
         let mut build = with.compile(Overrides { tests: true, ..overrides }, false);
         let mut changed = false;
+        let mut no_numbers = BTreeSet::new();
         for finding in &build.findings {
             let diagnostic = &finding.diagnostic;
             if finding.origin != Origin::Program || diagnostic.span.file != file || finding.severity() != Severity::Error {
                 continue;
             }
             let Some(index) = source.slot_at(diagnostic.span.start) else { continue };
+            if let Some(operand) = index.checked_sub(own.len()) {
+                no_numbers.insert(operand);
             // What is only compared is a number if it can be one, else a Boolean.
-            if all[index].wanted == Wanted::Either && kinds[index] != As::Boolean {
-                kinds[index] = As::Boolean;
+            } else if all[index].wanted == Wanted::Either && own_kinds[index] != As::Boolean {
+                own_kinds[index] = As::Boolean;
                 changed = true;
             } else {
                 wrong.push((index, source.placed(index, &all[index], diagnostic)));
@@ -96,11 +111,16 @@ pub(crate) fn compile(project: &Project, spec: &Spec, overrides: Overrides) -> R
         if !wrong.is_empty() {
             return Err(Failed::Expressions(wrong));
         }
+        if !no_numbers.is_empty() {
+            distances.without(&no_numbers);
+            continue;
+        }
         if crate::finding::has_errors(&build.findings) {
             return Err(Failed::Program(Box::new(build)));
         }
-        return match watching(&build, &source, &kinds) {
-            Some(watching) => {
+        return match computed(&build, &source, &kinds) {
+            Some((block, values)) => {
+                let watching = Watching { block, values, operands: own.len(), distances };
                 // It is none of the program's.
                 build.project.sources.pop();
                 Ok(Watched { cpu: controller::with_room(build.cpu), build, watching })
@@ -245,8 +265,8 @@ impl As {
     }
 }
 
-/// Where the values lie.
-fn watching(build: &Build, source: &Source, kinds: &[As]) -> Option<Watching> {
+/// The block that computes the values, and where they lie.
+fn computed(build: &Build, source: &Source, kinds: &[As]) -> Option<(BlockId, Vec<Computed>)> {
     let plan = &build.compiled.tests;
     let block = plan.tests.first()?.block;
     let mut values = Vec::new();
@@ -257,7 +277,7 @@ fn watching(build: &Build, source: &Source, kinds: &[As]) -> Option<Watching> {
         let operand = Operand::InDataBlock { db: signal.data_block?, address: signal.address };
         values.push(Computed { name: Name::at(variable(index), operand, Some(&signal.data_type)), as_number });
     }
-    Some(Watching { block, values })
+    Some((block, values))
 }
 
 impl Watching {
@@ -273,5 +293,10 @@ impl Watching {
             |computed: &Computed| computed.name.bits_in(machine, &machine.registers).map_or(0.0, |bits| computed.as_number.number(bits));
         values.extend(self.values.iter().map(value));
         looked
+    }
+
+    /// The least distance of a property to its break, of values that were computed so.
+    pub(crate) fn distance(&self, values: &[f64]) -> Option<f64> {
+        self.distances.least(values.get(self.operands..)?)
     }
 }

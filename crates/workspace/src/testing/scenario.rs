@@ -70,8 +70,11 @@ pub fn run(project: Project, scenario: Scenario, file: &str, stopwatch: Stopwatc
 fn missing(build: &Build, scenario: &Scenario, file: &str, conditions: &Conditions) -> Option<Refusal> {
     let (symbols, program) = (&build.project.symbols, &build.compiled.program);
     let here = |name: &str| Name::parse(conditions.rules.name(name), symbols, program);
-    let missing: Vec<(usize, &str)> =
-        scenario.names().into_iter().filter(|(_, name)| !conditions.rules.is_ignored(name) && here(name).is_err()).collect();
+    let missing: Vec<(usize, &str)> = scenario
+        .names()
+        .into_iter()
+        .filter(|(_, name)| !conditions.rules.is_ignored(name) && !scenario.allowed().ignores(name) && here(name).is_err())
+        .collect();
     let (first, _) = *missing.first()?;
     let written = |name: &str| match conditions.rules.name(name) {
         new if new == name => format!("`{}`", name.trim_matches('"')),

@@ -1,5 +1,6 @@
 //! A campaign past one machine: its ranges go out over a queue, what comes of them comes back.
 
+mod in_order;
 mod run;
 mod server;
 mod unpacked;

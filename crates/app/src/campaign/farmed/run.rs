@@ -8,9 +8,11 @@ use std::time::{Duration, Instant};
 
 use sieben_campaign::identity::MEANING;
 use sieben_campaign::packed::Packed;
+use sieben_campaign::ranges::Ranges;
 use sieben_farm::{Announced, Came, Finished, Ledger, Options, Server, Workers};
 use sieben_workspace::campaign::{Campaign, Way};
 
+use super::in_order::InOrder;
 use super::server::failed;
 use crate::campaign::Ended;
 use crate::campaign::collected::{Collected, Collector};
@@ -30,6 +32,8 @@ pub(crate) struct Orders<'a> {
     pub(crate) server: Server,
     /// Scenarios of a range; none = as many as take a second.
     pub(crate) range: Option<u64>,
+    /// After so many scenarios that did not pass it ends.
+    pub(crate) stop_after: Option<u64>,
     /// Real time after which it ends.
     pub(crate) budget: Option<Duration>,
     /// Whether it shall end.
@@ -50,9 +54,24 @@ pub(crate) fn run(
     alive: &mut dyn FnMut(&Workers),
 ) -> Result<(Ended, Finished), Failure> {
     let missing = collector.missing();
-    for part in collector.before() {
-        collector.resume(&part);
+    let left = collector.before();
+    let mut there = Ranges::default();
+    for part in &left {
+        there.insert(part.range.clone());
     }
+    let in_order = match orders.stop_after {
+        Some(stop_after) => {
+            let mut in_order = InOrder::new(stop_after, left);
+            if in_order.take(campaign, collector)? {
+                return Ok((Ended::Failures, Finished::default()));
+            }
+            Some(in_order)
+        }
+        None => {
+            left.iter().for_each(|part| collector.resume(part));
+            None
+        }
+    };
     if missing.is_empty() {
         return Ok((Ended::Whole, Finished::default()));
     }
@@ -65,8 +84,11 @@ pub(crate) fn run(
         columns: Columns::of(campaign),
         unsent: missing.iter().rev().cloned().collect(),
         missing,
+        there,
         size,
         known,
+        campaign,
+        in_order,
         collector,
         failed: None,
         ended: Cell::new(None),
@@ -97,9 +119,14 @@ fn fitting(campaign: &Campaign, number: u64) -> u64 {
 /// What the queue is told.
 struct Farmed<'a, 'c> {
     columns: Columns,
+    campaign: &'a Campaign,
+    /// Where failures are counted.
+    in_order: Option<InOrder>,
     collector: &'a mut Collector<'c>,
     /// What was missing at the beginning.
     missing: Vec<Range<u64>>,
+    /// What came, and what was there before.
+    there: Ranges,
     /// What was not sent, the last first.
     unsent: Vec<Range<u64>>,
     size: u64,
@@ -125,7 +152,7 @@ impl Ledger for Farmed<'_, '_> {
     }
 
     fn missing(&mut self) -> Vec<Range<u64>> {
-        let there = &self.collector.collected().there;
+        let there = &self.there;
         let mut all = Vec::new();
         for gap in self.missing.iter().flat_map(|range| there.missing(range.clone())) {
             let mut start = gap.start;
@@ -148,26 +175,40 @@ impl Ledger for Farmed<'_, '_> {
             return Came::Unreadable;
         }
         let tells = digest(result);
-        if self.collector.collected().there.overlaps(&range) {
+        if self.there.overlaps(&range) {
             let same = self.known.get(&range.start).filter(|(end, _)| *end == range.end);
             // Of a range that was cut in another way the scenarios that are not there are sent again.
             return if same.is_none_or(|(_, known)| *known == tells) { Came::Same } else { Came::Other };
         }
-        if let Err(failure) = self.collector.take(&part, Some(result)) {
-            self.failed = Some(failure);
-            return Came::Unreadable;
+        let taken = match &mut self.in_order {
+            None => self.collector.take(&part, Some(result)).map(|()| false),
+            Some(in_order) => {
+                in_order.add(part, result.to_vec());
+                in_order.take(self.campaign, self.collector)
+            }
+        };
+        match taken {
+            Ok(true) => self.ended.set(Some(Ended::Failures)),
+            Ok(false) => {}
+            Err(failure) => {
+                self.failed = Some(failure);
+                return Came::Unreadable;
+            }
         }
+        self.there.insert(range.clone());
         self.known.insert(range.start, (range.end, tells));
         (self.tell)(self.collector.collected());
         Came::New
     }
 
     fn is_whole(&self) -> bool {
-        let there = &self.collector.collected().there;
-        self.missing.iter().all(|range| there.missing(range.clone()).next().is_none())
+        self.missing.iter().all(|range| self.there.missing(range.clone()).next().is_none())
     }
 
     fn is_over(&self) -> bool {
+        if self.ended.get() == Some(Ended::Failures) {
+            return true;
+        }
         let ended = match () {
             () if self.orders.cancelled.load(Ordering::Relaxed) => Some(Ended::Cancelled),
             () if self.orders.budget.is_some_and(|budget| self.begun.elapsed() >= budget) => Some(Ended::Budget),

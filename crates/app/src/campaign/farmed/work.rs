@@ -11,7 +11,7 @@ use sieben_campaign::spec::Keep;
 use sieben_farm::{Offer, Work};
 use sieben_jit::StatusBits;
 use sieben_model::source::FileId;
-use sieben_workspace::campaign::{self, Campaign, Failed, Way};
+use sieben_workspace::campaign::{self, Campaign, Failed};
 use sieben_workspace::project::Overrides;
 
 use super::unpacked::Unpacked;
@@ -54,18 +54,14 @@ impl Working {
         let (columns, keep) = (Columns::of(&campaign), part::keep(&campaign.spec, campaign.scenarios()));
         Ok(Arc::new(Self { campaign, columns, keep, begun: AtomicU64::new(0), abort }))
     }
-
-    fn part(&self, range: Range<u64>, way: Way, is_over: &dyn Fn() -> bool) -> Option<Part> {
-        let how = parts::How { way, keep: self.keep, abort: self.abort, ends_with_failure: false };
-        parts::run(&self.campaign, range, &how, is_over)
-    }
 }
 
 impl Work for Working {
     fn run(&self, range: Range<u64>, is_over: &dyn Fn() -> bool) -> Option<Vec<u8>> {
-        let part = self.part(range.clone(), Way::Chosen, is_over)?;
+        let how = parts::How { keep: self.keep, abort: self.abort, ends_with_failure: false };
+        let part = parts::run(&self.campaign, range.clone(), &how, is_over)?;
         let is_checked = self.begun.fetch_add(1, Ordering::Relaxed).is_multiple_of(CHECKED);
-        if is_checked && self.part(range.clone(), Way::Interpreted, is_over)? != part {
+        if is_checked && parts::differs(&self.campaign, &part, is_over).is_some() {
             let message = "it comes to something else in the interpreter than in machine code; this is our mistake";
             return Some(self.not_run(range, message));
         }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use arrow_array::builder::{BooleanBuilder, Float64Builder, StringBuilder, StringDictionaryBuilder};
 use arrow_array::cast::AsArray;
 use arrow_array::types::{Float64Type, Int32Type, Int64Type, UInt32Type, UInt64Type};
-use arrow_array::{Array, ArrayRef, Int64Array, RecordBatch, UInt32Array, UInt64Array};
+use arrow_array::{Array, ArrayRef, Float64Array, Int64Array, RecordBatch, UInt32Array, UInt64Array};
 use arrow_schema::{ArrowError, DataType, Field, Schema, SchemaRef};
 use sieben_campaign::row::{Row, Verdict};
 use sieben_campaign::spec::{Parameter, Value};
@@ -16,7 +16,7 @@ use sieben_workspace::campaign::Campaign;
 use crate::campaign::said;
 
 /// Columns that every campaign has; those of parameters, faults and measures follow them.
-const FIXED: usize = 10;
+const FIXED: usize = 11;
 
 /// The columns of a campaign.
 #[derive(Clone, Debug)]
@@ -52,7 +52,7 @@ fn words() -> DataType {
     DataType::Dictionary(Box::new(DataType::Int32), Box::new(DataType::Utf8))
 }
 
-fn fixed() -> [Field; FIXED] {
+pub(super) fn fixed() -> [Field; FIXED] {
     let microseconds = |name, nullable| with_unit(Field::new(name, DataType::Int64, nullable), Some("us"));
     [
         Field::new("scenario", DataType::UInt64, false),
@@ -63,6 +63,7 @@ fn fixed() -> [Field; FIXED] {
         microseconds("at_us", true),
         Field::new("scans", DataType::UInt32, false),
         microseconds("virtual_us", false),
+        Field::new("margin", DataType::Float64, true),
         Field::new("trace_hash", DataType::UInt64, false),
         Field::new("message", DataType::Utf8, true),
     ]
@@ -149,6 +150,7 @@ impl Columns {
             time(&|row| row.at.map(|at| at.time_us)),
             small(&|row| Some(row.scans)),
             time(&|row| Some(row.virtual_us)),
+            Arc::new(rows.iter().map(|row| row.margin).collect::<Float64Array>()),
             numbers(&|row| row.trace_hash),
             text(&|row| row.message.clone()),
         ];
@@ -193,7 +195,8 @@ impl Columns {
         let (scenario, seed) = (column(0).as_primitive::<UInt64Type>(), column(1).as_primitive::<UInt64Type>());
         let (scan, at_us) = (column(4).as_primitive::<UInt32Type>(), column(5).as_primitive::<Int64Type>());
         let (scans, virtual_us) = (column(6).as_primitive::<UInt32Type>(), column(7).as_primitive::<Int64Type>());
-        let (trace_hash, message) = (column(8).as_primitive::<UInt64Type>(), strings(9)?);
+        let (margin, trace_hash) = (column(8).as_primitive::<Float64Type>(), column(9).as_primitive::<UInt64Type>());
+        let message = strings(10)?;
         let parameters = FIXED + self.bits;
         let faults = parameters + self.parameters.len();
         let measures = faults + self.faults;
@@ -225,6 +228,7 @@ impl Columns {
                 at: is(scan, row).then(|| Moment { scan: scan.value(row).into(), time_us: u64_of(at_us.value(row)) }),
                 scans: scans.value(row).into(),
                 virtual_us: u64_of(virtual_us.value(row)),
+                margin: is(margin, row).then(|| margin.value(row)),
                 trace_hash: trace_hash.value(row),
                 parameters: (0..self.parameters.len()).map(parameter).collect::<Option<_>>()?,
                 faults: (0..self.faults).map(fault).collect::<Option<_>>()?,

@@ -11,7 +11,6 @@ use serde_json::{Value as Json, json};
 use sha2::{Digest, Sha256};
 use sieben_campaign::identity::hex;
 use sieben_campaign::part::Part;
-use sieben_campaign::row::Verdict;
 use sieben_campaign::spec::Keep;
 use sieben_campaign::tally::Tally;
 
@@ -60,7 +59,7 @@ fn read(bytes: &[u8], columns: &Columns, keep: Keep) -> Result<Part, String> {
         && part.rows.iter().all(|row| part.range.contains(&row.scenario))
         && (keep == Keep::Failures || part.rows.len() as u64 == part.range.end - part.range.start)
         && part.rows.windows(2).all(|pair| pair[0].scenario < pair[1].scenario)
-        && part.first().is_some() == (part.tally.of(Verdict::Pass) != part.tally.run());
+        && part.first().is_some() == (part.tally.failures() > 0);
     if fits { Ok(part) } else { Err("its rows are not those of its scenarios".to_owned()) }
 }
 
@@ -71,4 +70,77 @@ fn metadata(all: &HashMap<String, String>) -> Option<Json> {
 /// What tells these bytes from any other: the first 16 hexadecimal digits of their SHA-256.
 pub(crate) fn digest(bytes: &[u8]) -> String {
     hex(&Sha256::digest(bytes)[..8])
+}
+
+#[cfg(test)]
+mod tests {
+    use arrow_schema::{DataType, Field, Schema};
+    use proptest::prelude::*;
+    use sieben_campaign::row::{Row, Verdict};
+    use sieben_campaign::spec::{Keep, Spec, Value};
+    use sieben_sim::trace::Moment;
+
+    use super::*;
+    use crate::campaign::files::columns::fixed;
+
+    fn columns() -> Columns {
+        let mut fields = fixed().to_vec();
+        fields.extend([
+            Field::new("p.gain", DataType::Float64, false),
+            Field::new("p.on", DataType::Boolean, false),
+            Field::new("p.mode", DataType::Utf8, false),
+            Field::new("f.signal", DataType::Utf8, true),
+            Field::new("m.most", DataType::Float64, true),
+        ]);
+        Columns::of_schema(&Schema::new(fields), vec!["first".to_owned(), "second".to_owned()]).expect("they are columns of a campaign")
+    }
+
+    fn part() -> Part {
+        let mut part = Part::new(&Spec::default(), 10);
+        for scenario in 10..30 {
+            let failed = scenario % 3 == 0;
+            let row = Row {
+                scenario,
+                seed: scenario * 77,
+                verdict: if failed { Verdict::Fail } else { Verdict::Pass },
+                property: failed.then_some(1),
+                at: failed.then_some(Moment { scan: 4, time_us: 40_000 }),
+                scans: 5,
+                virtual_us: 50_000,
+                margin: failed.then_some(-0.5),
+                trace_hash: scenario,
+                parameters: vec![Value::Number(0.1), Value::Boolean(failed), Value::Text("manual".to_owned())],
+                faults: vec![failed.then(|| "stuck@1s".to_owned())],
+                measures: vec![(!failed).then_some(1.5)],
+                came: Vec::new(),
+                message: failed.then(|| "too high".to_owned()),
+            };
+            part.add(row, Keep::All);
+        }
+        part
+    }
+
+    #[test]
+    fn a_part_comes_back_from_its_bytes() {
+        assert_eq!(decode(&encode(&part(), &columns()), &columns(), Keep::All), Ok(part()));
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(1_000))]
+
+        #[test]
+        fn bytes_that_were_changed_never_end_the_program(changes in prop::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..8), cut: Option<prop::sample::Index>) {
+            let mut bytes = encode(&part(), &columns());
+            for (at, byte) in changes {
+                let at = at.index(bytes.len());
+                bytes[at] = byte;
+            }
+            if let Some(cut) = cut {
+                bytes.truncate(cut.index(bytes.len()));
+            }
+            if let Ok(read) = decode(&bytes, &columns(), Keep::All) {
+                prop_assert_eq!((read.range, read.rows.len()), (10..30, 20));
+            }
+        }
+    }
 }

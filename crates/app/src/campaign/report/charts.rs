@@ -16,25 +16,91 @@ const POINTS_MAX: usize = 4_000;
 /// Bars of a histogram.
 const BARS: usize = 40;
 /// Values of a parameter that a heat map has rows or columns for.
-const CELLS_MAX: usize = 60;
+pub(super) const CELLS_MAX: usize = 60;
+/// Rows or columns of a heat map that are labelled each; of more the first and the last are.
+pub(super) const LABELS_MAX: usize = 12;
+/// A cell of this size or larger has its value written in it.
+pub(super) const WRITTEN: (f64, f64) = (34.0, 16.0);
 
-fn frame(title: &str, across: &str, up: &str, (x, y): ((f64, f64), (f64, f64)), inside: &str) -> String {
+/// How the parts of a chart look, in the page and in a file of its own.
+pub(super) const STYLE: &str = ".fail{fill:#c2372e;color:#c2372e}.pass,.bar,.cell{fill:#2f6f9f}.none{fill:none;stroke:currentColor;stroke-opacity:.2}\
+.axis{fill:none;stroke:currentColor;stroke-opacity:.5}svg text{font:11px system-ui,sans-serif;fill:currentColor}";
+/// The same where the reader prefers it dark.
+pub(super) const DARK: &str = ".fail{fill:#ff7a70;color:#ff7a70}.pass,.bar,.cell{fill:#6db3e8}";
+
+/// A chart.
+pub(super) struct Chart {
+    /// What it shows.
+    pub(super) title: String,
+    /// What is drawn.
+    inside: String,
+}
+
+impl Chart {
+    /// As an element of the page, which has the style.
+    pub(super) fn figure(&self) -> String {
+        let title = escaped(&self.title);
+        let (width, height) = SIZE;
+        let svg = format!("<svg viewBox=\"0 0 {width} {height}\" role=\"img\" aria-label=\"{title}\">{}</svg>", self.inside);
+        format!("<figure><figcaption>{title}</figcaption>{svg}</figure>")
+    }
+
+    /// As a file.
+    pub(super) fn file(&self) -> String {
+        let (width, height) = SIZE;
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\" role=\"img\">\n\
+             <title>{}</title>\n<style>svg{{color:#1c2430;background:#fff}}{STYLE}@media(prefers-color-scheme:dark){{svg{{color:#dde3ea;background:#14181d}}{DARK}}}</style>\n{}\n</svg>\n",
+            escaped(&self.title),
+            self.inside.replace("><rect", ">\n<rect").replace("><circle", ">\n<circle").replace("><path", ">\n<path")
+        )
+    }
+}
+
+/// What stands at an axis: each text with its place.
+pub(super) type Ticks = Vec<(f64, String)>;
+
+fn text(text: &str, x: f64, y: f64, anchor: &str) -> String {
+    format!("<text x=\"{x:.0}\" y=\"{y:.0}\" text-anchor=\"{anchor}\">{}</text>", escaped(text))
+}
+
+/// Both ends of an axis.
+fn ends((least, most): (f64, f64), (from, to): (f64, f64)) -> Ticks {
+    vec![(from, axis_number(least)), (to, axis_number(most))]
+}
+
+/// A number as an axis has it: four digits say where a point is.
+pub(super) fn axis_number(value: f64) -> String {
+    with_digits(value, 4)
+}
+
+/// A number with so many digits at most.
+pub(super) fn with_digits(value: f64, digits: usize) -> String {
+    said::number(format!("{value:.*e}", digits - 1).parse().unwrap_or(value))
+}
+
+pub(super) fn chart(title: String, across: (&str, Ticks), up: (&str, Ticks), inside: &str) -> Chart {
     let (width, height) = SIZE;
     let (left, bottom) = MARGIN;
-    let label = |text: &str, x: f64, y: f64, anchor: &str| {
-        format!("<text x=\"{x:.0}\" y=\"{y:.0}\" text-anchor=\"{anchor}\">{}</text>", escaped(text))
-    };
-    let mut svg = format!("<svg viewBox=\"0 0 {width} {height}\" role=\"img\" aria-label=\"{}\">", escaped(title));
-    svg.push_str(inside);
-    let _ = write!(svg, "<path class=\"axis\" d=\"M{left} 14V{0:.0}H{1:.0}\"/>", height - bottom, width - 10.0);
-    svg.push_str(&label(&said::number(x.0), left, height - bottom + 14.0, "start"));
-    svg.push_str(&label(&said::number(x.1), width - 10.0, height - bottom + 14.0, "end"));
-    svg.push_str(&label(across, (left + width) / 2.0, height - 4.0, "middle"));
-    svg.push_str(&label(&said::number(y.0), left - 4.0, height - bottom, "end"));
-    svg.push_str(&label(&said::number(y.1), left - 4.0, 20.0, "end"));
-    svg.push_str(&label(up, left + 4.0, 11.0, "start"));
-    svg.push_str("</svg>");
-    format!("<figure><figcaption>{}</figcaption>{svg}</figure>", escaped(title))
+    let mut all = inside.to_owned();
+    let _ = write!(all, "<path class=\"axis\" d=\"M{left} 14V{0:.0}H{1:.0}\"/>", height - bottom, width - 10.0);
+    let right = width - 10.0;
+    for (x, label) in across.1 {
+        let anchor = if x <= left {
+            "start"
+        } else if x >= right {
+            "end"
+        } else {
+            "middle"
+        };
+        all.push_str(&text(&label, x, height - bottom + 14.0, anchor));
+    }
+    for (y, label) in up.1 {
+        all.push_str(&text(&label, left - 4.0, y.clamp(20.0, height - bottom), "end"));
+    }
+    all.push_str(&text(across.0, (left + width) / 2.0, height - 4.0, "middle"));
+    all.push_str(&text(up.0, left + 4.0, 11.0, "start"));
+    Chart { title, inside: all }
 }
 
 fn extent(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
@@ -48,12 +114,12 @@ fn place(value: f64, (least, most): (f64, f64), (from, to): (f64, f64)) -> f64 {
     from + part * (to - from)
 }
 
-fn plot() -> ((f64, f64), (f64, f64)) {
+pub(super) fn plot() -> ((f64, f64), (f64, f64)) {
     ((MARGIN.0, SIZE.0 - 10.0), (SIZE.1 - MARGIN.1, 14.0))
 }
 
 /// How often which values of a measure came.
-pub(super) fn histogram(column: &Column, buckets: &[Bucket]) -> Option<String> {
+pub(super) fn histogram(column: &Column, buckets: &[Bucket]) -> Option<Chart> {
     let values: Vec<f64> = column.values.iter().flatten().copied().collect();
     let counted: u64 = buckets.iter().map(|bucket| bucket.count).sum();
     let bars: Vec<(f64, f64, u64)> = if values.len() as u64 == counted {
@@ -71,12 +137,12 @@ pub(super) fn histogram(column: &Column, buckets: &[Bucket]) -> Option<String> {
     } else {
         buckets.iter().map(|bucket| (bucket.least, bucket.most, bucket.count)).collect()
     };
-    let ends = (bars.first()?.0, bars.last()?.1);
+    let extent = (bars.first()?.0, bars.last()?.1);
     let most = bars.iter().map(|&(.., count)| count).max()?;
     let (across, up) = plot();
     let mut inside = String::new();
     for (least, end, count) in bars.into_iter().filter(|&(.., count)| count > 0) {
-        let (x, to) = (place(least, ends, across), place(end, ends, across));
+        let (x, to) = (place(least, extent, across), place(end, extent, across));
         let y = place(count as f64, (0.0, most as f64), up);
         let _ = write!(
             inside,
@@ -85,11 +151,12 @@ pub(super) fn histogram(column: &Column, buckets: &[Bucket]) -> Option<String> {
             up.0 - y
         );
     }
-    Some(frame(&format!("{}: how often", column.name), &column.label(), "scenarios", (ends, (0.0, most as f64)), &inside))
+    let title = format!("{}: how often", column.name);
+    Some(chart(title, (&column.label(), ends(extent, across)), ("scenarios", ends((0.0, most as f64), up)), &inside))
 }
 
 /// A measure over a parameter, a point for each scenario.
-pub(super) fn scatter(parameter: &Column, measure: &Column, passed: &[bool]) -> Option<String> {
+pub(super) fn scatter(parameter: &Column, measure: &Column, passed: &[bool]) -> Option<Chart> {
     let all: Vec<(f64, f64, bool)> =
         parameter.values.iter().zip(&measure.values).zip(passed).filter_map(|((x, y), &passed)| Some(((*x)?, (*y)?, passed))).collect();
     let (x, y) = (extent(all.iter().map(|point| point.0))?, extent(all.iter().map(|point| point.1))?);
@@ -107,49 +174,6 @@ pub(super) fn scatter(parameter: &Column, measure: &Column, passed: &[bool]) -> 
                 write!(inside, "<circle class=\"{class}\" cx=\"{:.1}\" cy=\"{:.1}\" r=\"2.2\"/>", place(*px, x, across), place(*py, y, up));
         }
     }
-    Some(frame(&format!("{} over {}", measure.name, parameter.name), &parameter.label(), &measure.label(), (x, y), &inside))
-}
-
-/// Two parameters against each other: how many of their scenarios did not pass.
-pub(super) fn heat_map(across: &Column, up: &Column, passed: &[bool]) -> Option<String> {
-    let distinct = |column: &Column| {
-        let mut values: Vec<f64> = column.values.iter().flatten().copied().collect();
-        values.sort_by(f64::total_cmp);
-        values.dedup();
-        (2..=CELLS_MAX).contains(&values.len()).then_some(values)
-    };
-    let (xs, ys) = (distinct(across)?, distinct(up)?);
-    let mut cells = vec![(0_u32, 0_u32); xs.len() * ys.len()];
-    for ((x, y), &passed) in across.values.iter().zip(&up.values).zip(passed) {
-        let (Some(x), Some(y)) = (x, y) else { continue };
-        let find = |values: &[f64], value: f64| values.binary_search_by(|known| known.total_cmp(&value)).ok();
-        if let (Some(x), Some(y)) = (find(&xs, *x), find(&ys, *y)) {
-            let (all, failed) = &mut cells[y * xs.len() + x];
-            *all += 1;
-            *failed += u32::from(!passed);
-        }
-    }
-    let (wide, high) = plot();
-    let (width, height) = ((wide.1 - wide.0) / xs.len() as f64, (high.0 - high.1) / ys.len() as f64);
-    let mut inside = String::new();
-    for (index, &(all, failed)) in cells.iter().enumerate().filter(|(_, cell)| cell.0 > 0) {
-        let (x, y) = (index % xs.len(), index / xs.len());
-        let share = f64::from(failed) / f64::from(all);
-        let _ = write!(
-            inside,
-            "<rect class=\"{}\" fill-opacity=\"{:.2}\" x=\"{:.1}\" y=\"{:.1}\" width=\"{:.1}\" height=\"{:.1}\"><title>{} = {}, {} = {}: {failed} of {all} did not pass</title></rect>",
-            if failed > 0 { "fail" } else { "pass" },
-            if failed > 0 { 0.25 + 0.75 * share } else { 0.35 },
-            wide.0 + width * x as f64,
-            high.0 - height * (y + 1) as f64,
-            width - 1.0,
-            height - 1.0,
-            escaped(&across.name),
-            said::number(xs[x]),
-            escaped(&up.name),
-            said::number(ys[y]),
-        );
-    }
-    let ends = |values: &[f64]| (values[0], values[values.len() - 1]);
-    Some(frame("where it did not pass", &across.label(), &up.label(), (ends(&xs), ends(&ys)), &inside))
+    let title = format!("{} over {}", measure.name, parameter.name);
+    Some(chart(title, (&parameter.label(), ends(x, across)), (&measure.label(), ends(y, up)), &inside))
 }

@@ -9,21 +9,19 @@ use sieben_workspace::xml::escaped;
 use super::{Report, charts};
 use crate::campaign::said;
 
-/// Charts of a kind.
-const CHARTS_MAX: usize = 12;
-
 const STYLE: &str = "body{font:15px/1.5 system-ui,sans-serif;max-width:62rem;margin:2rem auto;padding:0 1rem;color:#1c2430;background:#fff}\
 h1{font-size:1.5rem}h2{font-size:1.15rem;margin-top:2rem}table{border-collapse:collapse}td,th{padding:.25rem .8rem .25rem 0;text-align:left;vertical-align:top}\
-.fail{fill:#c2372e;color:#c2372e}.pass{fill:#2f6f9f}.bar{fill:#2f6f9f}.good{color:#1f7a3d}svg text{font-size:11px;fill:currentColor}\
-.axis{fill:none;stroke:currentColor;stroke-opacity:.5}figure{display:inline-block;width:460px;max-width:100%;margin:.5rem 1rem .5rem 0}\
-figcaption{font-weight:600}.charts svg{width:100%}pre{overflow-x:auto;background:#f3f5f8;padding:.8rem;border-radius:4px}.diagram{overflow-x:auto}code{word-break:break-all}\
-@media(prefers-color-scheme:dark){body{color:#dde3ea;background:#14181d}pre{background:#1f252d}.fail{fill:#ff7a70;color:#ff7a70}.pass,.bar{fill:#6db3e8}.good{color:#6fd08c}.diagram{background:#fff}}";
+.good{color:#1f7a3d}figure{display:inline-block;width:460px;max-width:100%;margin:.5rem 1rem .5rem 0}\
+figcaption{font-weight:600}.charts svg{width:100%}pre{overflow-x:auto;background:#f3f5f8;padding:.8rem;border-radius:4px}.said{white-space:pre-wrap}.diagram{overflow-x:auto}code{word-break:break-all}\
+@media(prefers-color-scheme:dark){body{color:#dde3ea;background:#14181d}pre{background:#1f252d}.good{color:#6fd08c}.diagram{background:#fff}}";
 
 /// The report as HTML.
 pub(crate) fn page(report: &Report) -> String {
     let name = escaped(report.name());
     let mut out = format!(
-        "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width\"><title>{name}</title><style>{STYLE}</style></head><body>\n"
+        "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width\"><title>{name}</title><style>{STYLE}{}@media(prefers-color-scheme:dark){{{}}}</style></head><body>\n",
+        charts::STYLE,
+        charts::DARK
     );
     let verdict = if report.holds() { "<span class=\"good\">held</span>" } else { "<span class=\"fail\">did not hold</span>" };
     let run = report.file.tally.run();
@@ -89,8 +87,16 @@ fn failures(report: &Report, out: &mut String) {
     out.push_str("<h2>Failures</h2>\n");
     for failure in report.run["failures"].as_array().into_iter().flatten() {
         let text = |key: &str| failure[key].as_str().unwrap_or_default();
-        let _ = writeln!(out, "<h3>Scenario {}</h3>\n<pre>{}</pre>", failure["scenario"], escaped(text("reasons")).replace("&#10;", "\n"));
-        if !text("diagram").is_empty() {
+        let _ = writeln!(
+            out,
+            "<h3>Scenario {}: {}</h3>\n<pre class=\"said\">{}</pre>",
+            failure["scenario"],
+            escaped(text("what")),
+            escaped(text("reasons")).replace("&#10;", "\n")
+        );
+        if !text("svg").is_empty() {
+            let _ = writeln!(out, "<div class=\"diagram\"><img alt=\"timing diagram\" src=\"{}\"></div>", picture(text("svg")));
+        } else if !text("diagram").is_empty() {
             let _ = writeln!(out, "<pre>{}</pre>", escaped(text("diagram")).replace("&#10;", "\n"));
         }
         if !text("file").is_empty() {
@@ -117,17 +123,21 @@ fn failures(report: &Report, out: &mut String) {
 }
 
 fn drawn(report: &Report, out: &mut String) {
-    let varied: Vec<&super::Column> = report.parameters.iter().filter(|column| column.values.iter().any(Option::is_some)).collect();
-    let mut all: Vec<String> = Vec::new();
-    // The sweeps come first: two of them make a grid.
-    let pairs = varied.iter().enumerate().flat_map(|(index, up)| varied[index + 1..].iter().map(move |across| (*across, *up)));
-    all.extend(pairs.filter_map(|(across, up)| charts::heat_map(across, up, &report.passed)).take(2));
-    for (measure, tally) in report.measures.iter().zip(&report.file.tally.measures).take(CHARTS_MAX) {
-        let buckets: Vec<_> = tally.histogram.buckets().collect();
-        all.extend(charts::histogram(measure, &buckets));
-        all.extend(varied.iter().filter_map(|parameter| charts::scatter(parameter, measure, &report.passed)).take(4));
-    }
+    let all: Vec<String> = report.charts().iter().map(charts::Chart::figure).collect();
     if !all.is_empty() {
         let _ = writeln!(out, "<h2>Charts</h2>\n<div class=\"charts\">\n{}\n</div>", all.join("\n"));
     }
+}
+
+/// A picture as an address that holds all of it: what is in such a picture cannot do anything in the page.
+fn picture(svg: &str) -> String {
+    let mut address = String::from("data:image/svg+xml,");
+    for byte in svg.bytes() {
+        match byte {
+            b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'=' | b'-' | b'.' | b',' | b';' | b'(' | b')' => address.push(char::from(byte)),
+            // Writing to a string cannot fail.
+            _ => drop(write!(address, "%{byte:02X}")),
+        }
+    }
+    address
 }

@@ -1,6 +1,7 @@
 //! What a result says, for people and for other programs: all of it is made of the file alone, and of what lies beside it.
 
 mod charts;
+mod heat_map;
 mod html;
 mod junit;
 mod text;
@@ -15,11 +16,19 @@ use sieben_campaign::row::{Row, Verdict};
 use sieben_campaign::spec::Value;
 
 use super::files::ResultFile;
-use super::summary;
+use super::{said, summary};
 use crate::failure::Failure;
+use charts::Chart;
+use heat_map::Grid;
 
 /// Rows that are drawn; the counts are of all.
 const ROWS_MAX: usize = 200_000;
+/// Heat maps of one kind.
+const HEAT_MAPS_MAX: usize = 2;
+/// Measures with charts.
+const MEASURES_MAX: usize = 12;
+/// Charts of a measure over parameters.
+const SCATTERS_MAX: usize = 4;
 /// Scenarios that did not pass and are listed.
 const LISTED_MAX: usize = 20;
 
@@ -103,7 +112,7 @@ impl Report {
         all.map(|property| {
             let (kind, name) = (text(&property["kind"]), text(&property["name"]));
             let first = property["first"].as_u64().unwrap_or(0);
-            let several = |key: &str| super::said::scenarios(property[key].as_u64().unwrap_or(0));
+            let several = |key: &str| said::scenarios(property[key].as_u64().unwrap_or(0));
             let (said, holds) = match (kind.as_str(), property["came"].as_u64(), property["broken"].as_u64()) {
                 ("sometimes", Some(0), _) => ("never came".to_owned(), false),
                 ("sometimes", ..) => (format!("came in {}, first in {first}", several("came")), true),
@@ -118,6 +127,44 @@ impl Report {
     /// Whether all scenarios are there, all passed, and what has to come sometimes came.
     pub(crate) fn holds(&self) -> bool {
         summary::holds(&self.file.summary, &self.there(), self.file.head.scenarios)
+    }
+
+    /// What can be drawn of it.
+    fn charts(&self) -> Vec<Chart> {
+        let varied: Vec<&Column> = self.parameters.iter().filter(|column| column.values.iter().any(Option::is_some)).collect();
+        // The sweeps come first: two of them make a grid.
+        let pairs = varied.iter().enumerate().flat_map(|(index, up)| varied[index + 1..].iter().map(move |across| (*across, *up)));
+        let grids: Vec<Grid<'_>> = pairs.filter_map(|(across, up)| Grid::of(across, up)).take(HEAT_MAPS_MAX).collect();
+        let mut all: Vec<Chart> = Vec::new();
+        if self.passed.contains(&false) {
+            all.extend(grids.iter().map(|grid| grid.failures(&self.passed)));
+        }
+        for (measure, tally) in self.measures.iter().zip(&self.file.tally.measures).take(MEASURES_MAX) {
+            all.extend(grids.iter().filter_map(|grid| grid.means(measure)));
+            let buckets: Vec<_> = tally.histogram.buckets().collect();
+            all.extend(charts::histogram(measure, &buckets));
+            all.extend(varied.iter().filter_map(|parameter| charts::scatter(parameter, measure, &self.passed)).take(SCATTERS_MAX));
+        }
+        all
+    }
+
+    /// Its pictures, each with the name of its file: charts, and timing diagrams of what failed.
+    pub(crate) fn pictures(&self) -> Vec<(String, String)> {
+        let charts = self.charts().into_iter().map(|chart| (said::plain(&chart.title), chart.file()));
+        let failures = self.run["failures"].as_array().into_iter().flatten();
+        let diagrams = failures.filter_map(|failure| {
+            let (what, svg) = (failure["what"].as_str()?, failure["svg"].as_str().filter(|svg| !svg.is_empty())?);
+            Some((format!("{}-{}", said::plain(what), failure["scenario"]), svg.to_owned()))
+        });
+        let mut all: Vec<(String, String)> = Vec::new();
+        for (name, svg) in charts.chain(diagrams) {
+            let again = all
+                .iter()
+                .filter(|(known, _)| *known == name || known.strip_prefix(&name).is_some_and(|rest| rest.starts_with("--")))
+                .count();
+            all.push((if again == 0 { name } else { format!("{name}--{}", again + 1) }, svg));
+        }
+        all.into_iter().map(|(name, svg)| (format!("{name}.svg"), svg)).collect()
     }
 
     /// For other programs: the summary with what identifies the campaign.

@@ -12,7 +12,6 @@ mod shrink;
 use clap::{Args, Subcommand};
 
 use crate::failure::{Exit, Failure};
-pub(super) use opened::Around;
 
 /// Run a program through very many scenarios: every combination of its inputs, drawn values, faults.
 #[derive(Args)]

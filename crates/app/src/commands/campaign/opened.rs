@@ -6,17 +6,15 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use sieben_campaign::parse::parse;
 use sieben_jit::StatusBits;
+use sieben_model::diagnostic::Severity;
 use sieben_model::problems::Problem;
-use sieben_workspace::campaign::{self, Campaign, Failed, Files};
-use sieben_workspace::finding::{self, Finding, Texts};
-use sieben_workspace::project::Project;
-use sieben_workspace::refusal::Refusal;
+use sieben_workspace::campaign::{self, Campaign};
 
 use crate::arguments::ProgramArguments;
 use crate::campaign::said;
+use crate::commands::spec_file::{Around, SpecFile};
 use crate::engines::EngineArgument;
 use crate::failure::{Exit, Failure};
-use crate::{files, project, report};
 
 /// Which scenario, and where what is made of it goes.
 #[derive(Args)]
@@ -60,32 +58,6 @@ pub(super) struct Opened {
     pub(super) text: String,
 }
 
-/// The files around that of a campaign or of a fleet.
-pub(in crate::commands) struct Around<'a> {
-    folder: PathBuf,
-    program: &'a ProgramArguments,
-}
-
-impl<'a> Around<'a> {
-    /// Those around this file.
-    pub(in crate::commands) fn of(path: &Path, program: &'a ProgramArguments) -> Self {
-        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).map_or_else(|| PathBuf::from("."), Path::to_path_buf);
-        Self { folder, program }
-    }
-}
-
-impl Files for Around<'_> {
-    fn project(&self, path: &str) -> Result<Project, Refusal> {
-        let at = if path == "." { self.folder.clone() } else { self.folder.join(path) };
-        project::load(&[at], self.program.encoding()).map_err(|failure| failure.refusal)
-    }
-
-    fn text(&self, path: &str) -> Result<String, Refusal> {
-        let bytes = files::read(&self.folder.join(path)).map_err(|failure| failure.refusal)?;
-        String::from_utf8(bytes).map_err(|_| Refusal::new(Problem::P7163, format!("`{path}` is not UTF-8 text")))
-    }
-}
-
 /// Reads a campaign and compiles its programs; otherwise its findings are printed.
 pub(super) fn open(
     path: &Path,
@@ -94,43 +66,24 @@ pub(super) fn open(
     engine: EngineArgument,
     json: bool,
 ) -> Result<Result<Opened, Exit>, Failure> {
-    let bytes = files::read(path)?;
-    let mut texts = Texts::default();
-    let text = String::from_utf8(bytes).map_err(|_| Failure::usage(Problem::P7156, format!("`{}` is not UTF-8 text", path.display())))?;
-    let text = text.strip_prefix('\u{FEFF}').unwrap_or(&text);
-    let file = texts.documents.add(path.display().to_string(), text);
-    let (spec, diagnostics) = parse(text, file);
-    let mut findings: Vec<Finding> = diagnostics.into_iter().map(Finding::document).collect();
-    let told = |findings: &mut Vec<Finding>, texts: &Texts| {
-        finding::sort(findings);
-        report::print(findings, texts, json);
-    };
-    let Some(mut spec) = spec.filter(|_| !finding::has_errors(&findings)) else {
-        told(&mut findings, &texts);
+    let read = SpecFile::read(path, Problem::P7156, json)?;
+    let (spec, mut diagnostics) = parse(read.text(), read.file());
+    let has_errors = diagnostics.iter().any(|diagnostic| diagnostic.severity() == Severity::Error);
+    let Some(mut spec) = spec.filter(|_| !has_errors) else {
+        read.tell(diagnostics);
         return Ok(Err(Exit::DoesNotCompile));
     };
     spec.seed = seed.unwrap_or(spec.seed);
-    let name = spec.name.clone().unwrap_or_else(|| path.file_stem().unwrap_or_default().to_string_lossy().into_owned());
+    let name = spec.name.clone().unwrap_or_else(|| read.stem());
     let around = Around::of(path, program);
     let factory = engine.settled().factory(StatusBits::Needed);
-    match campaign::open(spec, text, &around, program.overrides()?, &factory) {
+    match campaign::open(spec, read.text(), &around, program.overrides()?, &factory) {
         Ok(campaign) => {
-            findings.extend(campaign.warnings.iter().cloned().map(Finding::document));
-            if !findings.is_empty() {
-                told(&mut findings, &texts);
-            }
-            Ok(Ok(Opened { campaign, name, folder: around.folder, text: text.to_owned() }))
+            diagnostics.extend(campaign.warnings.iter().cloned());
+            read.tell(diagnostics);
+            Ok(Ok(Opened { campaign, name, folder: around.folder, text: read.text().to_owned() }))
         }
-        Err(Failed::Spec(wrong)) => {
-            findings.extend(wrong.into_iter().map(Finding::document));
-            told(&mut findings, &texts);
-            Ok(Err(Exit::DoesNotCompile))
-        }
-        Err(Failed::Program(build)) => {
-            report::print(&build.findings, &build.project.texts, json);
-            Ok(Err(Exit::DoesNotCompile))
-        }
-        Err(Failed::Refused(refusal)) => Err(refusal.into()),
+        Err(failed) => read.tell_failed(diagnostics, failed).map(Err),
     }
 }
 

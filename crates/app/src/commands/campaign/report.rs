@@ -11,6 +11,7 @@ use crate::failure::{Exit, Failure};
 #[command(after_help = "Examples:\n  \
   sieben campaign report oven.parquet                      for the terminal\n  \
   sieben campaign report oven.parquet --html oven.html     one page with charts, without network\n  \
+  sieben campaign report oven.parquet --svg pictures       its charts and timing diagrams as files\n  \
   sieben campaign report oven.parquet --junit oven.xml     a test case for each property\n\n\
 Exit codes: 0 all scenarios are there and all held, 1 a property broke, what has to come\n\
 sometimes never came, or scenarios are missing, 2 usage, or no result that can be read.")]
@@ -21,6 +22,9 @@ pub(super) struct Arguments {
     /// Write a page to this file
     #[arg(long, value_name = "FILE")]
     html: Option<PathBuf>,
+    /// Write its charts, and timing diagrams of what failed, to this folder
+    #[arg(long, value_name = "FOLDER")]
+    svg: Option<PathBuf>,
     /// Write a report of JUnit to this file
     #[arg(long, value_name = "FILE")]
     junit: Option<PathBuf>,
@@ -40,6 +44,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
     if let Some(path) = &arguments.html {
         files::write_whole(path, page(&report).as_bytes())?;
     }
+    if let Some(folder) = &arguments.svg {
+        std::fs::create_dir_all(folder).map_err(|error| files::unwritable(folder, &error))?;
+        for (name, svg) in report.pictures() {
+            files::write_whole(&folder.join(name), svg.as_bytes())?;
+        }
+    }
     if let Some(path) = &arguments.junit {
         files::write_whole(path, junit(&report).as_bytes())?;
     }
@@ -53,6 +63,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
 /// Says it.
 #[cfg(not(feature = "parquet"))]
 pub(super) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
-    let Arguments { file: _, html: _, junit: _, json: _ } = arguments;
+    let Arguments { file: _, html: _, svg: _, junit: _, json: _ } = arguments;
     Err(super::without_files())
 }

@@ -100,7 +100,8 @@ impl Played {
     /// Plays the scenario of an example for so many milliseconds of the CPU's time.
     pub(super) fn play(&mut self, name: &str, ms: u64) {
         let example = Example::by_name(name).expect("an example");
-        let (_, text) = example.files.iter().find(|(path, _)| path.ends_with(".scenario")).expect("it has a scenario");
+        let story = format!("{}.scenario", example.name);
+        let (_, text) = example.files.iter().find(|(path, _)| *path == story).expect("it has a scenario");
         let end = ms * 1_000 / CYCLE_US;
         for line in text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with("//")) {
             if self.scans >= end {
