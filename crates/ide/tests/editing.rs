@@ -234,7 +234,11 @@ fn a_rename_there_and_back_gives_the_same_bytes() {
                 .map(|edit| edit.new_text.len() as isize - (edit.place.range.end - edit.place.range.start) as isize)
                 .sum();
             let position = Position { offset: (old.range.start as isize + moved) as usize, ..position };
-            let back = rename(&there, position, &old.name).unwrap_or_else(|refusal| panic!("{}: {refusal}", old.name));
+            let back = match rename(&there, position, &old.name) {
+                // A word of the language that stands as a name, such as `tod` of IEC 61131-3, is given to nothing else.
+                Err(refusal) if refusal.contains("no word of the language") => continue,
+                back => back.unwrap_or_else(|refusal| panic!("{}: {refusal}", old.name)),
+            };
             assert_eq!(back.len(), edits.len(), "{} in {}", old.name, snapshot.texts()[index].name);
             for (before, after) in snapshot.texts().iter().zip(edited(&there, &back)) {
                 let same = before.text == after.text;

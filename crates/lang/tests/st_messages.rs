@@ -190,7 +190,169 @@ END_CASE;
 END_FUNCTION_BLOCK", &["5 P6229"]),
 ];
 
-fn errors(dialect: &str, text: &str) -> Vec<String> {
+/// What a dialect does not have, although other tools take it.
+#[rustfmt::skip] // A table.
+const NOT_THERE: &[Row] = &[
+    // A body in another language is one message.
+    ("iec", "PROGRAM main
+VAR x : INT; END_VAR
+LD x
+ADD 3
+ST x
+END_PROGRAM", &["3 P6331"]),
+    ("iec", "PROGRAM main
+VAR x : INT; b : BOOL; END_VAR
+again: LD x
+AND( b
+OR x
+)
+JMPC again
+END_PROGRAM", &["3 P6331"]),
+    ("codesys", "FUNCTION_BLOCK seq
+VAR_INPUT go : BOOL; END_VAR
+VAR_OUTPUT a : BOOL; END_VAR
+INITIAL_STEP S0:
+END_STEP
+TRANSITION FROM S0 TO S1
+ := go;
+END_TRANSITION
+STEP S1:
+ a(N);
+END_STEP
+END_FUNCTION_BLOCK
+PROGRAM main
+VAR s : seq; b : BOOL; END_VAR
+s(go := TRUE, a => b);
+END_PROGRAM", &["4 P6331"]),
+    // A PROGRAM is called in codesys only, and has instances of a CONFIGURATION only.
+    ("iec", "PROGRAM main
+sub(x := 1);
+END_PROGRAM
+PROGRAM sub VAR_INPUT x : INT; END_VAR x := x; END_PROGRAM", &["2 P6050", "4 P6050"]),
+    ("iec", "PROGRAM p VAR n : INT; END_VAR n := n + 1; END_PROGRAM
+PROGRAM main
+VAR i : p; END_VAR
+i();
+END_PROGRAM", &["3 P3015"]),
+    ("codesys", "PROGRAM p VAR n : INT; END_VAR n := n + 1; END_PROGRAM
+PROGRAM main
+VAR i : p; END_VAR
+i();
+END_PROGRAM", &["3 P3015"]),
+    // An instance that does not last.
+    ("iec", "FUNCTION f : INT
+VAR t : TON; END_VAR
+t(IN := TRUE, PT := T#1s);
+f := 1;
+END_FUNCTION", &["2 P6132"]),
+    // What the grammar excludes.
+    ("iec", "FUNCTION_BLOCK ABSTRACT FINAL a
+END_FUNCTION_BLOCK
+FUNCTION_BLOCK ABSTRACT b
+METHOD PUBLIC ABSTRACT FINAL m
+END_METHOD
+END_FUNCTION_BLOCK", &["1 P6283", "4 P6283"]),
+    ("iec", "PROGRAM a
+VAR CONSTANT t : TON; END_VAR
+t(IN := TRUE, PT := T#0s);
+END_PROGRAM", &["3 P6204"]),
+    ("iec", "TYPE INT : DINT; END_TYPE
+TYPE LREAL : REAL; END_TYPE
+PROGRAM a
+VAR x : INT; END_VAR
+x := 1;
+END_PROGRAM", &["1 P6060", "2 P6060"]),
+    ("iec", "PROGRAM p VAR x : INT; END_VAR x := 1; END_PROGRAM
+CONFIGURATION c RESOURCE r ON PLC PROGRAM a : p; END_RESOURCE END_CONFIGURATION
+CONFIGURATION c RESOURCE s ON PLC PROGRAM b : p; END_RESOURCE END_CONFIGURATION", &["3 P3006"]),
+    // The access that an interface asks for.
+    ("codesys", "INTERFACE im
+METHOD INTERNAL set_state : BOOL
+END_METHOD
+METHOD go
+END_METHOD
+END_INTERFACE
+FUNCTION_BLOCK m IMPLEMENTS im
+METHOD INTERNAL set_state : BOOL
+END_METHOD
+METHOD INTERNAL go
+END_METHOD
+END_FUNCTION_BLOCK", &["10 P6283"]),
+    // Arguments for another number of elements.
+    ("codesys", "FUNCTION_BLOCK f
+VAR k : INT; END_VAR
+METHOD FB_init : BOOL
+VAR_INPUT bInitRetains : BOOL; bInCopyCode : BOOL; n : INT; END_VAR
+k := n;
+END_METHOD
+END_FUNCTION_BLOCK
+PROGRAM main
+VAR a : ARRAY[1..3] OF f[(n := 4), (n := 7)]; x : INT; END_VAR
+x := a[2].k;
+END_PROGRAM", &["9 P6327"]),
+    // Arguments that are too many, have no input, or are left out for arrays of arrays.
+    ("codesys", "FUNCTION_BLOCK f
+VAR k : INT; END_VAR
+METHOD FB_init : BOOL
+VAR_INPUT bInitRetains : BOOL; bInCopyCode : BOOL; n : INT; END_VAR
+k := n;
+END_METHOD
+END_FUNCTION_BLOCK
+PROGRAM main
+VAR
+  a : f(1, 2);
+  b : f(x := 3);
+  c : ARRAY[1..2] OF ARRAY[1..2] OF f;
+  d : ARRAY[1..2] OF ARRAY[1..2] OF f[(1), (2)];
+  x : INT;
+END_VAR
+x := b.k;
+END_PROGRAM", &["10 P6327", "11 P6327", "12 P3010", "13 P6327"]),
+    // An input of the function does not last, and a constant of it does.
+    ("codesys", "FUNCTION_BLOCK f
+VAR k : INT; END_VAR
+METHOD FB_init : BOOL
+VAR_INPUT bInitRetains : BOOL; bInCopyCode : BOOL; n : INT; END_VAR
+k := n;
+END_METHOD
+END_FUNCTION_BLOCK
+FUNCTION g : INT
+VAR_INPUT v : INT; END_VAR
+VAR CONSTANT c : INT := 4; END_VAR
+VAR a : f(v); b : f(c); END_VAR
+g := a.k + b.k;
+END_FUNCTION", &["11 P6327"]),
+    // What has the size of itself.
+    ("codesys", "PROGRAM main
+VAR a : ARRAY[0..SIZEOF(a)] OF BYTE; END_VAR
+a[0] := 1;
+END_PROGRAM", &["2 P3016"]),
+    ("codesys", "FUNCTION_BLOCK l
+VAR
+  a : ARRAY[1..SIZEOF(m)] OF BYTE;
+  m : m2;
+END_VAR
+END_FUNCTION_BLOCK
+FUNCTION_BLOCK m2
+VAR a : ARRAY[1..SIZEOF(l)] OF BYTE; END_VAR
+END_FUNCTION_BLOCK", &["4 P3016"]),
+    // A constant of another block, in a declaration as in a statement.
+    ("iec", "FUNCTION_BLOCK p
+VAR CONSTANT n : INT := 3; END_VAR
+END_FUNCTION_BLOCK
+FUNCTION_BLOCK q
+VAR a : ARRAY[1..p.n] OF INT; x : INT; END_VAR
+x := p.n;
+END_FUNCTION_BLOCK", &["5 P6050", "6 P6050"]),
+    // A REFERENCE TO and nothing else is asked for.
+    ("codesys", "PROGRAM main
+VAR x : INT; b : BOOL; END_VAR
+b := __ISVALIDREF(x);
+END_PROGRAM", &["3 P4011"]),
+];
+
+/// Line, code and help of each error.
+fn errors_with_help(dialect: &str, text: &str) -> Vec<(String, String)> {
     let mut sources = Sources::default();
     sources.add("program.st", text);
     let dialect = Dialect::from_name(dialect);
@@ -199,7 +361,12 @@ fn errors(dialect: &str, text: &str) -> Vec<String> {
     let line = |start: u32| text[..start as usize].matches('\n').count() + 1;
     // Whether there is an OB 1 is not what the rows are about.
     let errors = errors.filter(|found| found.problem.code() != "P3013");
-    errors.map(|found| format!("{} {}", line(found.span.start), found.problem.code())).collect()
+    let row = |place: String, help: &Option<String>| (place, help.clone().unwrap_or_default());
+    errors.map(|found| row(format!("{} {}", line(found.span.start), found.problem.code()), &found.help)).collect()
+}
+
+fn errors(dialect: &str, text: &str) -> Vec<String> {
+    errors_with_help(dialect, text).into_iter().map(|(error, _)| error).collect()
 }
 
 fn check(rows: &[Row]) {
@@ -221,4 +388,122 @@ fn of_a_declaration_that_cannot_be_read_only_that_is_said() {
 #[test]
 fn behind_a_lost_token_of_a_declaration_all_is_read() {
     check(LOST);
+}
+
+#[test]
+fn of_what_a_dialect_does_not_have_only_that_is_said() {
+    check(NOT_THERE);
+}
+
+/// A block, functions whose results hold instances of it, and one that works on what it is given.
+const MADE: &str = "FUNCTION_BLOCK A
+VAR_INPUT n : INT; END_VAR
+METHOD Get : INT
+Get := n;
+END_METHOD
+END_FUNCTION_BLOCK
+TYPE S : STRUCT a : A; END_STRUCT END_TYPE
+FUNCTION Make : A VAR a : A; END_VAR Make := a; END_FUNCTION
+FUNCTION Whole : S VAR s : S; END_VAR Whole := s; END_FUNCTION
+FUNCTION Get : INT VAR_INPUT x : A; END_VAR Get := x.Get(); END_FUNCTION
+FUNCTION GetOf : INT VAR_INPUT s : S; END_VAR GetOf := s.a.Get(); END_FUNCTION
+FUNCTION See : INT VAR_IN_OUT CONSTANT x : A; END_VAR See := x.n; END_FUNCTION
+";
+
+#[test]
+fn an_instance_in_a_result_is_called_in_a_variable() {
+    let of = |rest: &str| errors("codesys", &format!("{MADE}{rest}"));
+    let main = "PROGRAM main VAR z : INT; a : A; s : S; END_VAR\n";
+    let calls = "z := Get(Make());\nz := GetOf(Whole());\nz := See(Make());\n";
+    assert_eq!(of(&format!("{main}{calls}END_PROGRAM")), ["14 P4011", "15 P4011", "16 P4011"]);
+    let calls = "a := Make(); s := Whole(); z := Get(a) + GetOf(s) + See(a);";
+    assert_eq!(of(&format!("{main}{calls} END_PROGRAM")), [""; 0]);
+    let own = "FUNCTION Own : A VAR z : INT; END_VAR\nz := Own.Get();\nOwn.n := z;\nEND_FUNCTION
+FUNCTION Part : S VAR z : INT; END_VAR\nPart.a();\nEND_FUNCTION";
+    assert_eq!(of(own), ["14 P6217", "18 P6217"]);
+}
+
+#[test]
+fn what_is_only_read_is_not_called() {
+    let text = "FUNCTION_BLOCK G
+VAR_INPUT k : INT; END_VAR
+METHOD Get : INT
+Get := k;
+END_METHOD
+END_FUNCTION_BLOCK
+FUNCTION_BLOCK B
+VAR_IN_OUT CONSTANT c : G; END_VAR
+VAR n : INT; END_VAR
+c(k := 9);
+n := c.Get();
+END_FUNCTION_BLOCK";
+    assert_eq!(errors("codesys", text), ["10 P6204"]);
+}
+
+#[test]
+fn a_negative_number_is_no_value_that_a_type_without_a_sign_counts_to() {
+    let text = "PROGRAM main
+VAR k : UINT; s : USINT; b : BYTE; x : INT; END_VAR
+FOR k := 10 TO 1 BY -1 DO x := x + 1; END_FOR;
+FOR s := 3 TO -1 DO x := x + 1; END_FOR;
+FOR b := -3 TO 1 DO x := x + 1; END_FOR;
+CASE s OF
+-1: x := 2;
+-100..100: x := 3;
+END_CASE;
+k := -1;
+END_PROGRAM";
+    assert_eq!(errors("codesys", text), ["3 P4001", "4 P4001", "5 P4001", "7 P4001", "8 P4001"]);
+}
+
+#[test]
+fn an_address_and_a_shorter_number_do_not_meet() {
+    let text = "PROGRAM main
+VAR p : POINTER TO BYTE; d : DWORD; n : DINT; b : BOOL; END_VAR
+d := p;
+p := d;
+b := p = d;
+d := ADR(b);
+p := n;
+END_PROGRAM";
+    let found = errors_with_help("codesys", text);
+    let places: Vec<&str> = found.iter().map(|(place, _)| place.as_str()).collect();
+    assert_eq!(places, ["3 P6200", "4 P6200", "5 P6202", "6 P6200", "7 P6200"]);
+    assert!(found.iter().all(|(_, help)| help.contains("LWORD")), "{found:?}");
+}
+
+#[test]
+fn a_program_with_several_instances_is_called_a_program() {
+    let text = "PROGRAM sub
+VAR n : INT; END_VAR
+n := n + 1;
+END_PROGRAM
+PROGRAM main
+sub();
+END_PROGRAM
+CONFIGURATION c RESOURCE r ON PLC
+TASK t(INTERVAL := T#10ms, PRIORITY := 1);
+PROGRAM a WITH t : sub; PROGRAM b WITH t : sub; PROGRAM m WITH t : main;
+END_RESOURCE END_CONFIGURATION";
+    let found = errors_with_help("codesys", text);
+    let [(place, help)] = found.as_slice() else { panic!("{found:?}") };
+    assert_eq!(place, "6 P6217");
+    assert!(help.contains("FUNCTION_BLOCK sub"), "{help}");
+}
+
+#[test]
+fn a_call_without_brackets_is_told_to_have_some() {
+    let text = "PROGRAM sub
+VAR n : INT; END_VAR
+n := n + 1;
+END_PROGRAM
+PROGRAM main
+sub;
+END_PROGRAM";
+    let mut sources = Sources::default();
+    sources.add("program.st", text);
+    let dialect = Dialect::from_name("codesys");
+    let compiled = compile(&sources, &SymbolTable::default(), &Options { dialect, ..Options::default() });
+    let found: Vec<_> = compiled.diagnostics.iter().filter(|found| found.problem.code() == "P6051").collect();
+    assert!(matches!(found.as_slice(), [one] if one.help.as_deref().is_some_and(|help| help.contains("`()`"))), "{found:?}");
 }

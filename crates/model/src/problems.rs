@@ -649,6 +649,10 @@ problems! {
         "die Nummer eines Bausteins der Bibliothek ist vergeben" "Dem Baustein des Programms eine andere Nummer geben.";
     P6330 Warning "a variable whose address nobody tells" "Write the address, or a VAR_CONFIG with it."
         "eine Variable, deren Adresse nirgends steht" "Die Adresse schreiben, oder ein VAR_CONFIG mit ihr.";
+    P6331 Error "a body in another language" "Write it in Structured Text."
+        "ein Rumpf in einer anderen Sprache" "Ihn in Strukturiertem Text schreiben.";
+    P6332 Warning "VAR in an organization block" "Write `VAR_TEMP`, or keep the value in a data block or in bit memory."
+        "VAR in einem Organisationsbaustein" "`VAR_TEMP` schreiben, oder den Wert in einem Datenbaustein oder Merker halten.";
 
     // 7xxx command line
     P7001 Error "an argument that is not understood" "See `sieben help` for what the command takes."

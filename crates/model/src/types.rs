@@ -330,6 +330,16 @@ impl DataType {
         })
     }
 
+    /// Whether a variable of the type is an instance of a function block, or has one in it.
+    pub fn holds_instance(&self) -> bool {
+        match self {
+            Self::Instance { .. } => true,
+            Self::Array { element, .. } => element.holds_instance(),
+            Self::Struct(structure) => structure.size > 0 && structure.fields.iter().any(|field| field.data_type.holds_instance()),
+            _ => false,
+        }
+    }
+
     /// Length in bits: 1 for BOOL, a multiple of 8 for all else; padded to words for complex types.
     pub fn bits(&self) -> u64 {
         match self {

@@ -135,7 +135,9 @@ impl Revision<'_> {
             return None;
         }
         let stl = names.found.iter().find(|found| !compiled.is_of_library(found.id)).map(|found| found.block.name.span());
-        let place = stl.or_else(|| names.items.code.values().next().map(|code| code.block.name.span)).unwrap_or_default();
+        let place = stl
+            .or_else(|| names.items.code.iter().find(|(id, _)| !names.items.is_of_library(**id)).map(|(_, code)| code.block.name.span))
+            .unwrap_or_default();
         Some(Diagnostic::new(Problem::P3013, place, "there is no OB 1, so nothing runs in the cycle").elsewhere())
     }
 }

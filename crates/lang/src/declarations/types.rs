@@ -154,18 +154,15 @@ impl<'a, K: Knows> Types<'a, K> {
         self.reuse.keep(id)
     }
 
-    /// Whether the interface of a block is being laid out.
-    pub(crate) fn is_begun(&self, block: BlockId) -> bool {
-        matches!(self.interfaces.get(&block), Some(State::InProgress))
-    }
-
     /// The interface of a code block or system block; `None` if it does not exist (nothing is reported) or cannot be laid out.
     pub(crate) fn interface(&mut self, id: BlockId, span: Span) -> Option<BlockInterface> {
         self.reuse.ask(id);
         match self.interfaces.get(&id) {
             Some(State::Done(done)) => return done.clone(),
             Some(State::InProgress) => {
-                self.report(Problem::P3016, span, format!("`{id}` contains an instance of itself"));
+                let name = self.scope.blocks().filter(|(block, _)| *block == id).map(|(_, name)| name.to_owned()).min();
+                let name = name.unwrap_or_else(|| id.to_string());
+                self.report(Problem::P3016, span, format!("`{name}` contains an instance of itself"));
                 return None;
             }
             None => {}

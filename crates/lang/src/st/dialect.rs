@@ -90,6 +90,14 @@ impl Dialect {
             false => construct.row().judgements[self.column()],
         }
     }
+    /// Whether it has POINTER TO, and with it the objects of CODESYS.
+    pub fn has_pointers(self) -> bool {
+        self.judge(Construct::PointerTo) != Judgement::Reject
+    }
+    /// Whether instances may be variables of what does not last, and results.
+    pub fn has_local_instances(self) -> bool {
+        self.judge(Construct::LocalInstance) == Judgement::Accept
+    }
     /// What it means by what it accepts.
     pub fn switches(self) -> &'static Switches {
         match self.is_test() {
@@ -173,7 +181,7 @@ constructs! {
     RealWithoutPoint "a REAL without a point"                      Note   Accept Accept Accept "write `1.0E10` for `1E10`";
     DurationOverflow "a later field of a duration that is larger than its unit" Reject Reject Note Note "carry the overflow into the larger unit";
     DecimalToBitString "a decimal number for BYTE, WORD or DWORD"  Accept Accept Reject Note   "write the number with `16#`";
-    NumberToBool "`0` or `1` for BOOL"                             Note   Accept Accept Accept "write `FALSE` or `TRUE`";
+    NumberToBool "`0` or `1` for BOOL"                             Accept Accept Accept Accept "write `FALSE` or `TRUE`";
     PowerOperator "the operator `**`"                              Accept Note   Accept Accept "call `EXPT`";
     ShortCircuit "the operators `AND_THEN` and `OR_ELSE`"          Reject Accept Reject Reject "write `AND` and `OR`, or nested IFs";
     DivOperator "the operator `DIV`"                               Reject Reject Accept Accept "write `/`";
@@ -231,6 +239,13 @@ constructs! {
     InstanceOfBlock "a call with its data block, such as `FB10.DB20()`" Reject Reject Accept Note "declare an instance";
     InstructionCall "a call such as `inst.TON()`"                  Reject Reject Reject Accept "write `inst()`";
     Program "PROGRAM"                                              Accept Accept Note   Note   "write `ORGANIZATION_BLOCK OB1`";
+    SectionQualifier "this word after this section"                Note   Accept Accept Accept "leave it away";
+    NarrowInitial "a WSTRING that begins with `'…'`"               Note   Accept Accept Accept "write the characters between `\"`";
+    EmptyStruct "a STRUCT without fields"                          Reject Accept Reject Reject "declare at least one field";
+    ValueStatement "a value that stands alone"                     Reject Note   Reject Reject "assign it to a variable";
+    BareCall "a call without brackets"                             Reject Note   Reject Reject "write `()` after it";
+    LocalInstance "an instance that does not last"                 Reject Accept Reject Reject "declare it under VAR of a FUNCTION_BLOCK";
+    ProgramCall "a call of a PROGRAM by its name"                  Reject Accept Reject Reject "declare a FUNCTION_BLOCK, and an instance of it";
     Configuration "CONFIGURATION"                                  Accept Note   Reject Reject "write organization blocks";
     ControllerBlock "ORGANIZATION_BLOCK and DATA_BLOCK"            Note   Note   Accept Accept "write PROGRAM, and global variables";
     Begin "BEGIN"                                                  Reject Reject Accept Accept "remove it";
@@ -309,6 +324,8 @@ pub struct Switches {
     pub power: PowerRank,
     /// What the number of a word address counts.
     pub address_unit: AddressUnit,
+    /// A bit may have one number, which counts the bits of the area through.
+    pub bits_counted_through: bool,
     /// What a wrong array index does.
     pub index_fault: IndexFault,
     /// What an integer division by 0 does.
@@ -391,6 +408,7 @@ switches! {
     //                       iec              codesys            scl                      tia
     power:                   BehindSign,      BehindSign,        BeforeSign,              BeforeSign;
     address_unit:            Unit::Byte,      Unit::OwnWidth,    Unit::Byte,              Unit::Byte;
+    bits_counted_through:    true,            false,             false,                   false;
     index_fault:             Index::Skip,     Index::CheckBounds, Index::ProgrammingError, Index::ProgrammingError;
     division_fault:          Division::Zero,  Division::CheckDiv, Division::Zero,         Division::Zero;
     lost_results:            Lost::All,       Lost::Quotients,   Lost::Quotients,         Lost::Quotients;

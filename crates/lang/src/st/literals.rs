@@ -284,6 +284,10 @@ fn rounded(value: i128, unit: i128) -> i128 {
 fn duration(text: &str, rest: &str, long: bool, dialect: Dialect) -> Decoded {
     let (exact, overflow) = fields(rest, text)?;
     let nanoseconds = match long {
+        // Without a sign it goes twice as far: the pattern of bits says it.
+        true if !dialect.switches().time_signed => {
+            u64::try_from(exact).map_err(|_| out_of_range(text, "LT#0ns to LT#213503d23h34m33s709ms551us615ns"))? as i64
+        }
         true => i64::try_from(exact)
             .map_err(|_| out_of_range(text, "LT#-106751d23h47m16s854ms775us808ns to LT#106751d23h47m16s854ms775us807ns"))?,
         false => {

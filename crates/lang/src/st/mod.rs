@@ -23,6 +23,7 @@ pub(crate) mod references;
 pub mod standard;
 pub mod syntax;
 pub mod tree;
+mod type_class;
 pub(crate) mod untold;
 mod variants;
 pub mod words;

@@ -410,9 +410,10 @@ impl Collector<'_> {
                 self.to.parent = parent;
                 TypeRef::Inline
             }
-            TypeKind::Constructed { block, arguments } => {
+            TypeKind::Constructed { block, arguments, elements } => {
                 let callee = self.type_path(block, Access::Type);
                 self.arguments(callee, arguments);
+                elements.iter().for_each(|arguments| self.arguments(callee, arguments));
                 block.names.last().map_or(TypeRef::None, |name| TypeRef::Named(self.to.id(&name.text)))
             }
             TypeKind::Reference(inner) | TypeKind::Pointer(inner) | TypeKind::Alias(inner) => self.type_spec(index, inner),

@@ -13,9 +13,11 @@ use crate::scope::key;
 ///
 /// Blocks that extend others, are extended or implement an interface have it; its value is the number of the function block.
 pub const TYPE_NUMBER: &str = "__TYPE";
+/// Bits of that number, with which an instance begins.
+pub const TYPE_NUMBER_BITS: u32 = 16;
 
 /// By the key of the name and how it is called.
-type MemberKey = (String, MemberKind);
+pub type MemberKey = (String, MemberKind);
 
 /// A METHOD, or GET or SET of a PROPERTY.
 #[derive(Clone, Debug, PartialEq)]

@@ -199,6 +199,8 @@ pub enum TypeKind {
         block: Path,
         /// The parameters.
         arguments: Vec<Argument>,
+        /// Those of each element of an array, `MyBlock[(a := 1), (a := 2)]`.
+        elements: Vec<Vec<Argument>>,
     },
     /// `REF_TO INT`.
     Reference(Box<TypeSpec>),

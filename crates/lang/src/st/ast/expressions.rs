@@ -259,6 +259,30 @@ pub struct Address {
     pub span: Span,
 }
 
+impl Address {
+    /// The address as text, in one spelling for each: the name of a variable that has no other. `None` where its numbers are not written.
+    pub fn plain(&self) -> Option<String> {
+        let Position::Fixed(numbers) = &self.position else { return None };
+        let area = match self.area {
+            Area::Input => "I",
+            Area::Output => "Q",
+            Area::Memory => "M",
+            Area::PeripheralInput => "PI",
+            Area::PeripheralOutput => "PQ",
+            _ => return None,
+        };
+        let width = match self.width {
+            AddressWidth::Bit => "",
+            AddressWidth::Byte => "B",
+            AddressWidth::Word => "W",
+            AddressWidth::DoubleWord => "D",
+            AddressWidth::LongWord => "L",
+        };
+        let numbers: Vec<String> = numbers.iter().map(u64::to_string).collect();
+        Some(format!("%{area}{width}{}", numbers.join(".")))
+    }
+}
+
 /// Where an address lies.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Position {

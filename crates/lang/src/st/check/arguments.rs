@@ -1,6 +1,7 @@
 //! Arguments of a call: which actual parameter belongs to which formal one, and what is passed for it.
 
 use std::collections::HashMap;
+use std::sync::Arc;
 
 use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::interface::{Interface, Section, Variable};
@@ -22,6 +23,7 @@ use crate::st::ast::{self, Direction, Expression, ExpressionKind, Name, Quoting}
 use crate::st::declare::{initial, starting};
 use crate::st::dialect::Construct;
 use crate::st::dtl;
+use crate::st::objects::TYPE_NUMBER_BITS;
 use crate::st::open_arrays::{is_bound, is_open};
 use crate::st::standard::operators::{Beyond, Rounding, convert as steps};
 use crate::st::tree::{Argument, Call, Callee, Place, Scalar, Statement, StatementKind, Text, TextFunction, Value, ValueKind, room_of};
@@ -47,7 +49,7 @@ impl Checker<'_> {
         }
         let function = callee.is_function();
         let told = self.diagnostics.len();
-        let mut all = Arguments::new(interface, self.written_out(&callee, &call.callee));
+        let mut all = Arguments::new(callee.block(), interface, self.written_out(&callee, &call.callee));
         if self.names.is_of_library(callee.block()) {
             all.formals.retain(|formal| !formal.name.ends_with(OF_ANOTHER));
         }
@@ -240,9 +242,49 @@ impl Checker<'_> {
             _ => {
                 let typed = self.expression_for(value, &formal.data_type);
                 let typed = if all.written_out.is_some() { self.number_in_text(formal, typed) } else { typed };
+                if all.block.kind == BlockKind::Function && self.is_passing_instance(formal, &typed, value.span) {
+                    return false;
+                }
+                if let Some(argument) = self.instance_argument(formal, &typed, all) {
+                    all.arguments.push(argument);
+                    return true;
+                }
                 self.input(formal, typed, value.span, &mut all.arguments, &mut all.before)
             }
         }
+    }
+
+    /// Whether a result with an instance in it would be passed on where it lies, which is said: in local data no method of it can be called.
+    fn is_passing_instance(&mut self, formal: &Variable, typed: &Typed, span: Span) -> bool {
+        let Typed::Delivered(_, result) = typed else { return false };
+        if !result.data_type.holds_instance() {
+            return false;
+        }
+        let message = format!("the instance in the result of `{}` does not last, and `{}` works on it", result.name, formal.name);
+        self.report(Problem::P4011, span, message).help = Some("Put the result into a variable first, and pass that.".to_owned());
+        true
+    }
+
+    /// An instance for a parameter that is one of the same block, or of one that it extends. What is copied into an instance leaves the
+    /// number there that says of which block the parameter is.
+    fn instance_argument(&mut self, formal: &Variable, typed: &Typed, all: &Arguments<'_>) -> Option<Argument> {
+        let DataType::Instance { block: wanted, structure } = &formal.data_type else { return None };
+        let Typed::Aggregate(target) = typed else { return None };
+        let DataType::Instance { block, .. } = &target.data_type else { return None };
+        if !self.names.objects().is_typed(*wanted) || !self.names.objects().is_a(*block, *wanted) {
+            return None;
+        }
+        if all.block.kind == BlockKind::Function {
+            let (source, data_type) = (target.place.clone(), formal.data_type.clone());
+            return Some(Argument::Aggregate { parameter: formal.offset, source, data_type });
+        }
+        let mut rest = (**structure).clone();
+        rest.fields.retain(|field| field.offset >= TYPE_NUMBER_BITS);
+        rest.fields.iter_mut().for_each(|field| field.offset -= TYPE_NUMBER_BITS);
+        rest.size = rest.size.saturating_sub(TYPE_NUMBER_BITS / 8);
+        let behind = |offset: u32| offset.saturating_add(TYPE_NUMBER_BITS);
+        let source = Place { offset: behind(target.place.offset), ..target.place.clone() };
+        Some(Argument::Aggregate { parameter: behind(formal.offset), source, data_type: DataType::Struct(Arc::new(rest)) })
     }
 
     /// A variable for a parameter that is REFERENCE TO.
@@ -420,6 +462,19 @@ impl Checker<'_> {
                         implicit(source, kind, self.dialect)
                     } {
                         Implicit::Yes => {}
+                        // The parts of a date are any integers.
+                        Implicit::No
+                            if source.is_integer()
+                                && kind.is_integer()
+                                && all.block.kind == BlockKind::Function
+                                && self.names.is_of_library(all.block) =>
+                        {
+                            let large = ["YEAR", "MILLISECOND", "MICROSECOND", "NANOSECOND"].contains(&formal.name.as_str());
+                            if large && kind.bits < 16 {
+                                let message = format!("`{}` may be more than {} holds", formal.name, self.words(to));
+                                self.report(Problem::P6201, value.span, message);
+                            }
+                        }
                         Implicit::Warned(loss) => {
                             let message = format!("{} becomes {} here: {}", self.words(from), self.words(to), loss.words());
                             self.report(Problem::P6201, value.span, message);
@@ -459,6 +514,9 @@ impl Checker<'_> {
             let typed = self.expression(value);
             return self.input(formal, typed, value.span, &mut all.arguments, &mut all.before);
         }
+        if self.names.is_read_only(all.block, &formal.name) {
+            return self.read_in_out(formal, value, all);
+        }
         // A data block is the variable that it holds.
         let of_block = match self.quietly(|checker| checker.reach(value)) {
             Reached::Other(Typed::Block(block)) if block.kind == BlockKind::DataBlock => Some(block),
@@ -494,6 +552,64 @@ impl Checker<'_> {
             return false;
         }
         all.arguments.push(Argument::InOut { parameter: formal.offset, place: target.place, data_type: target.data_type });
+        true
+    }
+
+    /// A value for VAR_IN_OUT CONSTANT: a variable that fits is given itself, all else is kept in one first.
+    fn read_in_out(&mut self, formal: &Variable, value: &Expression, all: &mut Arguments<'_>) -> bool {
+        let span = value.span;
+        let parameter = formal.offset;
+        let fits = |checker: &Self, data_type: &DataType| {
+            let lengths = room_of(&formal.data_type).zip(room_of(data_type)).is_some_and(|(a, b)| a.wide == b.wide);
+            let extends = match (&formal.data_type, data_type) {
+                (DataType::Instance { block: wanted, .. }, DataType::Instance { block, .. }) => {
+                    checker.names.objects().is_a(*block, *wanted)
+                }
+                _ => false,
+            };
+            lengths || extends || same_type(&formal.data_type, data_type)
+        };
+        if let Reached::Target(target) = self.quietly(|checker| checker.reach(value)) {
+            if is_open(&formal.data_type)
+                && let Some(mut bounds) = self.bounds_of(formal, &target, all.interface)
+            {
+                all.arguments.append(&mut bounds);
+                all.arguments.push(Argument::InOut { parameter, place: target.place, data_type: target.data_type });
+                return true;
+            }
+            if fits(self, &target.data_type) {
+                all.arguments.push(Argument::InOut { parameter, place: target.place, data_type: target.data_type });
+                return true;
+            }
+        }
+        let typed = self.expression_for(value, &formal.data_type);
+        let (place, data_type, kind) = match typed {
+            Typed::Poison => return false,
+            typed if self.is_passing_instance(formal, &typed, span) => return false,
+            Typed::Delivered(mut statements, target) if fits(self, &target.data_type) => {
+                all.before.append(&mut statements);
+                all.arguments.push(Argument::InOut { parameter, place: target.place, data_type: target.data_type });
+                return true;
+            }
+            typed if let Some(wanted) = room_of(&formal.data_type) => {
+                let Some(source) = self.text_of(typed, span, wanted.wide) else { return false };
+                let room = super::texts::known_room(&source);
+                let place = self.temporary_place(room.bytes(), span);
+                let kind = StatementKind::AssignString { target: place.clone(), room, source };
+                (place, super::texts::type_of_room(room), kind)
+            }
+            typed if let Some(kind) = Kind::of(&formal.data_type) => {
+                let Some(value) = self.coerce(typed, span, &formal.data_type) else { return false };
+                let place = self.temporary_place(kind.bits.div_ceil(8), span);
+                (place.clone(), formal.data_type.clone(), StatementKind::Assign { target: place, value })
+            }
+            other => {
+                self.wrong_argument(formal, &other, span);
+                return false;
+            }
+        };
+        all.before.push(Statement { kind, span });
+        all.arguments.push(Argument::InOut { parameter, place, data_type });
         true
     }
 
@@ -616,6 +732,8 @@ impl Checker<'_> {
 
 /// The parameters of a call while they are collected.
 pub(super) struct Arguments<'a> {
+    /// The block that is called.
+    block: BlockId,
     /// The function of texts that is called.
     written_out: Option<TextFunction>,
     /// The formal ones in the order of their declaration.
@@ -629,13 +747,13 @@ pub(super) struct Arguments<'a> {
 }
 
 impl<'a> Arguments<'a> {
-    fn new(interface: &'a Interface, written_out: Option<TextFunction>) -> Self {
+    fn new(block: BlockId, interface: &'a Interface, written_out: Option<TextFunction>) -> Self {
         let is_formal =
             |variable: &&Variable| variable.section != Section::Return && !is_bound(interface, variable) && !is_told(interface, variable);
         let mut formals: Vec<&Variable> = interface.parameters().filter(is_formal).collect();
         // The interface has its sections in order; arguments by position follow the source. Blocks without one keep their order.
         formals.sort_by_key(|variable| variable.span.start);
-        Self { written_out, formals, interface, given: HashMap::new(), arguments: Vec::new(), enable: None, before: Vec::new() }
+        Self { block, written_out, formals, interface, given: HashMap::new(), arguments: Vec::new(), enable: None, before: Vec::new() }
     }
 }
 

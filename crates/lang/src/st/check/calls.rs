@@ -72,10 +72,14 @@ impl Checker<'_> {
     }
 
     fn called_name(&mut self, name: &Name) -> Called {
+        let method = self.own_member(name, MemberKind::Method);
         if let Some(action) = self.block.actions.iter().position(|action| name.is(&action.name.text)) {
-            return Called::Action(action);
+            // RETURN leaves the action alone, as it leaves a method.
+            if method.is_none() || !super::statements::has_return(&self.block.actions[action].body) {
+                return Called::Action(action);
+            }
         }
-        if let Some(method) = self.own_member(name, MemberKind::Method) {
+        if let Some(method) = method {
             return self.called_method(method, name.span);
         }
         let local = match name.quoting {
@@ -140,6 +144,10 @@ impl Checker<'_> {
                 Some(target) => self.called_target(target, span),
                 None => Called::Nothing,
             },
+            BlockKind::FunctionBlock if self.names.program(block).is_some() => match self.program_instance(block, span) {
+                Some(target) => self.called_target(target, span),
+                None => Called::Nothing,
+            },
             BlockKind::FunctionBlock | BlockKind::SystemFunctionBlock => {
                 self.needs_instance(&self.names.block_name(block), block, span);
                 Called::Nothing
@@ -151,8 +159,26 @@ impl Checker<'_> {
         }
     }
 
+    /// A PROGRAM as the variable that its only instance is, where the dialect calls programs by their names.
+    fn program_instance(&mut self, block: BlockId, span: Span) -> Option<Target> {
+        let data = self.names.program(block)?;
+        let target = self.judge(Construct::ProgramCall, span).then(|| self.data_block(data, span))??;
+        Some(Target { name: self.names.block_name(block), ..target })
+    }
+
+    /// A path that leads to a PROGRAM leads to its instance, of which something is called or read.
+    pub(super) fn of_program_instance(&mut self, reached: Reached, span: Span) -> Reached {
+        match reached {
+            Reached::Other(Typed::Block(block)) if self.names.program(block).is_some() => match self.program_instance(block, span) {
+                Some(target) => Reached::Target(target),
+                None => Reached::Other(Typed::Poison),
+            },
+            other => other,
+        }
+    }
+
     /// The function block that the dialect brings along under this name, where the project has nothing else of that name.
-    fn bare_block_type(&mut self, name: &Name, found: Option<&Entity>) -> Option<BlockId> {
+    pub(super) fn bare_block_type(&mut self, name: &Name, found: Option<&Entity>) -> Option<BlockId> {
         let of_system = |block: &BlockId| matches!(block.kind, BlockKind::SystemFunctionBlock | BlockKind::SystemFunction);
         let free = match found {
             None | Some(Entity::Type(DataType::Instance { .. })) => true,
@@ -168,6 +194,13 @@ impl Checker<'_> {
 
     /// Says that a function block is not called by its own name.
     fn needs_instance(&mut self, name: &str, block: BlockId, span: Span) {
+        if self.names.objects().get(block).is_some_and(|object| object.kind == crate::st::ast::BlockKind::Program) {
+            let message =
+                format!("`{name}` is a PROGRAM, and a CONFIGURATION makes several instances of it, or none: its name means none of them");
+            self.report(Problem::P6217, span, message).help =
+                Some(format!("Leave the call to the tasks, or write `FUNCTION_BLOCK {name}` and declare instances of it."));
+            return;
+        }
         let interface = self.names.interface(block);
         let inputs = interface.iter().flat_map(|interface| interface.parameters());
         let inputs = inputs.filter(|formal| formal.section == Section::Input).take(2).map(|formal| format!("{} := …", formal.name));
@@ -183,6 +216,7 @@ impl Checker<'_> {
 
     fn called_target(&mut self, target: Target, span: Span) -> Called {
         match target.data_type {
+            DataType::Instance { .. } if target.role == Role::Result => self.calls_result(&target, span),
             DataType::Instance { block, .. } => {
                 match self.without_body(block, span) || self.no_memory_instruction(block, &target, None, span) {
                     true => Called::Nothing,
@@ -209,6 +243,13 @@ impl Checker<'_> {
         }
     }
 
+    /// Says that an instance in the own result is not called: it may lie in local data of the caller.
+    fn calls_result(&mut self, target: &Target, span: Span) -> Called {
+        let message = format!("the instance in the result `{}` does not last, and is not called", target.name);
+        self.report(Problem::P6217, span, message).help = Some("Call an instance of VAR, and assign it to the result.".to_owned());
+        Called::Nothing
+    }
+
     /// What a call of an instance may reach that was reached through a reference or an in-out.
     fn dispatch_of(&self, block: BlockId, target: &Target) -> Option<Dispatch> {
         let referred = matches!(target.place.base, Base::Reference(_) | Base::ComplexParameter(_) | Base::InstancePointer(_));
@@ -225,9 +266,16 @@ impl Checker<'_> {
             };
         }
         let reached = self.reach(base);
+        let reached = self.of_program_instance(reached, base.span);
         if let Some(owner) = self.owner_of_reached(&reached, base.span)
             && let Some(method) = self.member_in(owner, &name.text, MemberKind::Method)
         {
+            if let Reached::Target(target) = &reached
+                && target.role == Role::Result
+                && matches!(target.data_type, DataType::Instance { .. })
+            {
+                return self.calls_result(target, callee.span);
+            }
             return self.called_method(method, callee.span);
         }
         match reached {
@@ -438,7 +486,7 @@ impl Checker<'_> {
                 }
                 None => Typed::Poison,
             },
-            DataType::Struct(_) | DataType::Array { .. } | DataType::DateAndTime => {
+            DataType::Struct(_) | DataType::Array { .. } | DataType::DateAndTime | DataType::Instance { .. } => {
                 let interface = self.names.interface(call.callee.block());
                 let result = interface.as_ref().and_then(|interface| interface.variables.iter().find(|one| one.section == Section::Return));
                 let Some(parameter) = result.map(|result| result.offset) else { return Typed::Poison };
@@ -497,6 +545,12 @@ impl Checker<'_> {
             Called::Function(block) => (Callee::Function(block), self.interface(block, call.callee.span)),
             Called::Method(block, callee) => (callee, self.interface(block, call.callee.span)),
             Called::Instance(block, target, dispatch) => {
+                if target.role == Role::Constant {
+                    self.report(Problem::P6204, call.callee.span, format!("`{}` is a constant, and a call changes it", target.name)).help =
+                        Some("Declare the instance without CONSTANT.".to_owned());
+                    self.look_at(&call.arguments);
+                    return None;
+                }
                 if target.role == Role::Input && target.through == Through::Itself {
                     self.judge(Construct::WrittenInput, call.callee.span);
                 }

@@ -129,7 +129,7 @@ impl Checker<'_> {
             false => None,
         };
         let Some(arguments) = arguments else {
-            let message = "an argument of FB_Init is a constant, a variable, its address, or computed from these";
+            let message = "an argument of FB_Init is a constant, a variable that lasts, its address, or computed from these";
             self.report(Problem::P6327, span, message).help =
                 Some("Assign the value in the first cycle instead, or compute it in FB_Init.".to_owned());
             return None;

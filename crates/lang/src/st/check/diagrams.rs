@@ -159,13 +159,19 @@ impl Checker<'_> {
         provided.and_then(|provided| self.names.provided(&provided)) == Some(block)
     }
 
-    /// The function block that a box calls; its instance must be of the one that the box names.
-    fn instance_of_box(&mut self, one: &DiagramBox) -> Option<BlockId> {
+    /// The instance that a box calls; a PROGRAM stands for its own.
+    fn called_by_box<'b>(&mut self, one: &'b DiagramBox) -> Option<&'b Expression> {
+        let is_program = |checker: &mut Self| checker.block_of(&one.of).is_some_and(|block| checker.names.program(block).is_some());
+        one.instance.as_ref().or_else(|| is_program(self).then_some(&one.of))
+    }
+
+    /// The function block that a box calls, with the instance, which must be one of the block that the box names.
+    fn instance_of_box<'b>(&mut self, one: &'b DiagramBox) -> Option<(BlockId, &'b Expression)> {
         let named = match &one.of.kind {
             ExpressionKind::Name(name) => name.text.clone(),
             _ => self.block_of(&one.of).map(|block| self.names.block_name(block)).unwrap_or_default(),
         };
-        let Some(instance) = &one.instance else {
+        let Some(instance) = self.called_by_box(one) else {
             let message = format!("`{named}` is a function block, and this box names no instance of it");
             self.report(Problem::P4303, one.of.span, message).help =
                 Some(format!("Declare `x : {named};` in VAR, and write `{named} x` as the box."));
@@ -174,7 +180,7 @@ impl Checker<'_> {
         match self.called(instance) {
             Called::Instance(block, target, _) => {
                 if self.is_named_by(block, &one.of) {
-                    return Some(block);
+                    return Some((block, instance));
                 }
                 let message = format!("`{}` is an instance of `{}`, and the box is `{named}`", target.name, self.names.block_name(block));
                 self.report(Problem::P4304, instance.span, message);
@@ -210,8 +216,7 @@ impl Checker<'_> {
 
     /// A function block with its instance.
     fn block_box(&mut self, one: &DiagramBox, span: Span) -> Option<StatementKind> {
-        let block = self.instance_of_box(one)?;
-        let instance = one.instance.clone()?;
+        let (block, instance) = self.instance_of_box(one)?;
         let interface = self.interface(block, one.of.span)?;
         let power = self.power_of(block, &interface);
         let mut pins = Pins::of(one, |name| is_flow(name, Some(&interface)));
@@ -260,7 +265,7 @@ impl Checker<'_> {
         }
         if let (Some(wire), false) = (goes, wants_eno) {
             let output = Name { text: flow.clone(), quoting: Quoting::Bare, span: one.flow.as_ref().map_or(span, |flow| flow.span) };
-            let output = Expression { kind: ExpressionKind::Member(Box::new(instance), output), span };
+            let output = Expression { kind: ExpressionKind::Member(Box::new(instance.clone()), output), span };
             let typed = self.expression(&output);
             if let Typed::Scalar { data_type, .. } = &typed
                 && matches!(one.goes_on, GoesOn::Line(_))

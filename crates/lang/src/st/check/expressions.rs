@@ -25,6 +25,8 @@ const NAMED_VALUES_MAX: usize = 6;
 const DAYS_FROM_1970_TO_1990: u64 = 7_305;
 const MILLISECONDS_OF_DAY: u64 = 86_400_000;
 const NANOSECONDS_OF_MILLISECOND: u64 = 1_000_000;
+/// What is done where an address and a shorter number meet.
+const KEEP_ADDRESS: &str = "An address has 64 bits here: keep it in a POINTER TO, or in a variable of type LWORD or __XWORD.";
 
 impl Checker<'_> {
     /// What an expression is.
@@ -250,7 +252,7 @@ impl Checker<'_> {
         };
         let literal = match typed {
             Typed::Poison => return None,
-            Typed::Integer { value: 0, .. } if kind.class == Class::Reference && self.counts_with_pointers() => LiteralKind::Null,
+            Typed::Integer { value: 0, .. } if kind.class == Class::Reference && self.dialect.has_pointers() => LiteralKind::Null,
             Typed::Integer { value, radix } => LiteralKind::Integer { value, radix },
             Typed::Real { value, single } => LiteralKind::Real { value, single },
             Typed::Text(Text::Constant(text)) if kind.class == Class::Character => LiteralKind::Characters(text),
@@ -267,11 +269,19 @@ impl Checker<'_> {
             }
         };
         if let DataType::Enumeration(_) = wanted
-            && !(self.counts_with_pointers() && matches!(literal, LiteralKind::Integer { .. }))
+            && !(self.dialect.has_pointers() && matches!(literal, LiteralKind::Integer { .. }))
         {
             let message = format!("a value of {} is wanted here, and a number is none", self.words(wanted));
             self.report(Problem::P6200, span, message).help = names_of_values(wanted);
             return None;
+        }
+        if let LiteralKind::Integer { value, .. } = literal
+            && self.wraps(value, kind)
+        {
+            let message = format!("{} has no negative values: {value} is {} here", self.words(wanted), value + (1 << kind.bits));
+            self.report(Problem::P6201, span, message);
+            let value = Value { kind: ValueKind::Constant(value as u64 & literals::mask(kind.bits)), scalar, span };
+            return self.within_subrange(&value, wanted, span).then_some(value);
         }
         match literals::bits(&literal, kind, self.dialect) {
             Ok((bits, construct)) => {
@@ -282,9 +292,9 @@ impl Checker<'_> {
                 self.within_subrange(&value, wanted, span).then_some(value)
             }
             Err(Misfit::Type) if matches!(literal, LiteralKind::Real { .. }) => {
-                let message = format!("{} is wanted here, and a number with a point is REAL", self.words(wanted));
+                let message = format!("{} is wanted here, and this number is REAL", self.words(wanted));
                 self.report(Problem::P6200, span, message).help =
-                    Some("Write it without a point, or convert it, for example with ROUND.".into());
+                    Some("Write a whole number, or convert it, for example with ROUND or REAL_TO_INT.".into());
                 None
             }
             Err(Misfit::Type) => {
@@ -305,6 +315,18 @@ impl Checker<'_> {
                 None
             }
         }
+    }
+
+    /// Whether a negative number becomes the pattern of bits of a type without a sign, as a variable with a sign does there.
+    fn wraps(&self, value: i128, kind: Kind) -> bool {
+        let unsigned = kind.class == Class::Unsigned || kind.class == Class::Bits && kind.bits > 1;
+        let signed = Kind { class: Class::Signed, bits: kind.bits };
+        let least = -(1_i128 << (kind.bits.max(1) - 1));
+        unsigned
+            && !self.keeps_sign
+            && self.dialect.has_pointers()
+            && (least..0).contains(&value)
+            && implicit(signed, kind, self.dialect) != Implicit::No
     }
 
     /// The function that reads a value from a text, or the values of which one is wanted.
@@ -366,7 +388,7 @@ impl Checker<'_> {
         }
         let allowed = match (from, wanted) {
             (DataType::Enumeration(_), DataType::Enumeration(_)) => Implicit::No,
-            (_, DataType::Enumeration(_)) if self.counts_with_pointers() && source.is_integer() => Implicit::Yes,
+            (_, DataType::Enumeration(_)) if self.dialect.has_pointers() && source.is_integer() => Implicit::Yes,
             (DataType::Enumeration(_), _) if self.dialect.switches().integer_bits_min > 8 => implicit(source, target, self.dialect),
             (DataType::Enumeration(_), _) | (_, DataType::Enumeration(_)) => Implicit::No,
             (DataType::Reference(a), DataType::Reference(b)) if same_type(&a.target, &b.target) => Implicit::Yes,
@@ -431,8 +453,8 @@ impl Checker<'_> {
                 Some(target) => format!("Convert it with `TO_{target}`."),
                 None => "Convert its number, which `TO_INT` gives.".to_owned(),
             });
-        } else if is_pointer(from) && help.is_none() {
-            help = Some("An address has 64 bits here: keep it in a POINTER TO, or in a variable of type LWORD or __XWORD.".to_owned());
+        } else if help.is_none() && (is_pointer(from) || is_pointer(wanted) && Kind::of(from).is_some()) {
+            help = Some(KEEP_ADDRESS.to_owned());
         }
         let diagnostic = self.report(Problem::P6200, span, message);
         if help.is_some() {
@@ -462,6 +484,14 @@ impl Checker<'_> {
     fn unary_scalar(&mut self, operator: UnaryOperator, value: Value, data_type: DataType, span: Span) -> Typed {
         let Some(kind) = Kind::of(&data_type) else { return self.no_operand(operator_sign(operator), &data_type, span) };
         let plain = kind.data_type();
+        // A bit string that counts as a number has a negative one, as `0 - x` has it.
+        let counts = kind.class == Class::Bits
+            && kind.bits > 1
+            && implicit(Kind { class: Class::Bits, bits: 16 }, Kind { class: Class::Unsigned, bits: 16 }, self.dialect) == Implicit::Yes;
+        let kind = match operator {
+            UnaryOperator::Minus | UnaryOperator::Plus if counts => Kind { class: Class::Unsigned, ..kind },
+            _ => kind,
+        };
         match operator {
             UnaryOperator::Plus if kind.is_number() || kind.class == Class::Duration => Typed::Scalar { value, data_type },
             UnaryOperator::Minus if kind.is_number() || kind.class == Class::Duration => {
@@ -496,7 +526,7 @@ impl Checker<'_> {
     }
 
     /// Whether the dialect lets AND, OR, XOR and NOT work on the bits of integers.
-    fn bits_of_integers(&self, kind: Kind) -> bool {
+    pub(super) fn bits_of_integers(&self, kind: Kind) -> bool {
         kind.is_integer()
             && implicit(Kind { class: Class::Unsigned, bits: 16 }, Kind { class: Class::Bits, bits: 16 }, self.dialect) == Implicit::Yes
     }
@@ -660,7 +690,9 @@ impl Checker<'_> {
         let Some(kind) = met else {
             let message = format!("`{}` does not take {} and {}", operator.sign(), self.words(&a.1), self.words(&b.1));
             let help = written.filter(|_| operator.compares());
-            let help = help.unwrap_or_else(|| "Convert one of the two to the type of the other.".to_owned());
+            let other =
+                if is_pointer(&a.1) || is_pointer(&b.1) { KEEP_ADDRESS } else { "Convert one of the two to the type of the other." };
+            let help = help.unwrap_or_else(|| other.to_owned());
             self.report(Problem::P6202, sign, message).help = Some(help);
             return None;
         };

@@ -4,22 +4,24 @@ use std::sync::Arc;
 
 use sieben_engine::ir::Op;
 use sieben_model::address::Area;
-use sieben_model::block::BlockId;
+use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::interface::{Interface, Section, Variable};
 use sieben_model::problems::Problem;
 use sieben_model::source::Span;
 use sieben_model::testing::Word;
 use sieben_model::types::{DataType, Reference, ReferenceKind, STRING_LENGTH_MAX};
 
+use super::memory::two;
 use super::names::Role;
 use super::places::Reached;
 use super::typed::{Target, Typed};
-use super::types::{Class, Kind};
+use super::types::{Class, Implicit, Kind, implicit};
 use super::{Checker, literals, operators};
 use crate::scope::{is_nearer, nearest};
 use crate::st::ast::{self, Direction, Expression, ExpressionKind, Name};
 use crate::st::dialect::{Construct, Judgement, LostResults};
 use crate::st::open_arrays::End;
+use crate::st::standard::operators::Operation;
 use crate::st::standard::s5::S5Function;
 use crate::st::standard::{self, Building, Given, GivenKind, Meaning, Refusal, Resolved};
 use crate::st::tree::{Argument, Base, Call, Callee, Place, Scalar, Statement, StatementKind, Text, TextFunction, Value, ValueKind};
@@ -78,6 +80,17 @@ impl Checker<'_> {
             .zip(&arguments)
             .map(|(argument, (typed, _))| Given { name: argument.name.as_ref().map(|name| name.text.as_str()), kind: kind_of(typed) })
             .collect();
+        if self.converts_to_itself(name, &arguments)
+            && let Some((typed, _)) = arguments.pop()
+        {
+            return typed;
+        }
+        if let Some(typed) = self.of_number(name, &arguments) {
+            return typed;
+        }
+        if let Some(typed) = self.of_times(name, call, &arguments, span) {
+            return typed;
+        }
         if let Some(typed) = self.wide_function(name, call, &arguments, span) {
             return typed;
         }
@@ -127,6 +140,70 @@ impl Checker<'_> {
             Some(Err(refusal)) => self.refused(refusal, &arguments, span),
             Some(Ok(resolved)) => self.composed(&name.text, resolved, call, arguments, span),
         }
+    }
+
+    /// `TO_STRING('abc')`: a text stays what it is.
+    fn converts_to_itself(&self, name: &Name, arguments: &[(Typed, Span)]) -> bool {
+        let [(Typed::Text(text), _)] = arguments else { return false };
+        let upper = name.text.to_ascii_uppercase();
+        let word = if text.is_wide() { "WSTRING" } else { "STRING" };
+        let from = upper.strip_suffix(word).and_then(|rest| rest.strip_suffix("TO_"));
+        let general = self.dialect.switches().operators_as_functions;
+        match from {
+            Some("") => general,
+            Some("ANY_") => general && self.dialect.has_pointers(),
+            Some(from) => from.strip_suffix('_') == Some(word),
+            None => false,
+        }
+    }
+
+    /// `MOVE(5)` and `ABS(-5)`: a number without a type stays one.
+    fn of_number(&self, name: &Name, arguments: &[(Typed, Span)]) -> Option<Typed> {
+        let [(typed @ (Typed::Integer { .. } | Typed::Real { .. }), _)] = arguments else { return None };
+        let moves = name.is("MOVE") && self.dialect.switches().operators_as_functions;
+        match typed {
+            _ if moves => Some(typed.clone()),
+            Typed::Integer { value, radix } if name.is("ABS") => {
+                Some(Typed::Integer { value: value.checked_abs().unwrap_or(i128::MAX), radix: *radix })
+            }
+            Typed::Real { value, single } if name.is("ABS") => Some(Typed::Real { value: value.abs(), single: single.abs() }),
+            _ => None,
+        }
+    }
+
+    /// ADD, SUB, MUL and DIV of durations and dates are what the operators are; `None` for all else.
+    fn of_times(&mut self, name: &Name, call: &ast::Call, arguments: &[(Typed, Span)], span: Span) -> Option<Typed> {
+        let operator = match name.text.to_ascii_uppercase().as_str() {
+            "ADD" => ast::BinaryOperator::Add,
+            "SUB" => ast::BinaryOperator::Subtract,
+            "MUL" => ast::BinaryOperator::Multiply,
+            "DIV" => ast::BinaryOperator::Divide,
+            _ => return None,
+        };
+        let timed = |typed: &Typed| match typed {
+            Typed::Scalar { data_type, .. } => Kind::of(data_type)
+                .is_some_and(|kind| matches!(kind.class, Class::Duration | Class::Date | Class::TimeOfDay | Class::DateAndTime)),
+            _ => false,
+        };
+        let has_functions = self.dialect.switches().operators_as_functions;
+        let folds = matches!(operator, ast::BinaryOperator::Add | ast::BinaryOperator::Multiply);
+        if !has_functions || arguments.len() < 2 || arguments.len() > 2 && !folds || !arguments.iter().any(|(typed, _)| timed(typed)) {
+            return None;
+        }
+        let mut ordered: Vec<Option<&(Typed, Span)>> = vec![None; arguments.len()];
+        for (index, (argument, typed)) in call.arguments.iter().zip(arguments).enumerate() {
+            let slot = match &argument.name {
+                Some(name) => (0..arguments.len()).find(|slot| name.is(&format!("IN{}", slot + 1)))?,
+                None => index,
+            };
+            *ordered.get_mut(slot)? = Some(typed);
+        }
+        let mut ordered = ordered.into_iter().collect::<Option<Vec<_>>>()?.into_iter();
+        let (first, at) = ordered.next()?.clone();
+        Some(ordered.fold(first, |sum, next| match sum {
+            Typed::Poison => Typed::Poison,
+            sum => self.arithmetic(operator, span, (sum, at), next.clone()),
+        }))
     }
 
     /// `TO_INT(color)` and `Color_TO_INT(color)`: the number of a value of an enumeration, as that of the type which holds it.
@@ -338,9 +415,15 @@ impl Checker<'_> {
                 Typed::Scalar { value, data_type: resolved.result }
             }
             Meaning::CompareTexts(operation) => {
+                let Some(op) = standard::operators::op_for(operation, Scalar::I32) else { return Typed::Poison };
+                if arguments.len() > 2 {
+                    let mut rest: Vec<Option<(Typed, Span)>> = arguments.into_iter().map(Some).collect();
+                    let order = order_of(&resolved.parameters, call).into_iter();
+                    let ordered = order.filter_map(|index| rest.get_mut(index).and_then(Option::take)).collect();
+                    return self.texts_in_order(op, ordered, span);
+                }
                 let Ok([a, b]) = <[(Typed, Span); 2]>::try_from(arguments) else { return Typed::Poison };
                 let Some((a, b)) = self.two_texts(a, b) else { return Typed::Poison };
-                let Some(op) = standard::operators::op_for(operation, Scalar::I32) else { return Typed::Poison };
                 Typed::Scalar { value: super::texts::compared(op, a, b, span), data_type: DataType::Bool }
             }
             Meaning::Build(build) => {
@@ -405,6 +488,37 @@ impl Checker<'_> {
                 let written_out = TextFunction::of(&provided, name, self.dialect).filter(|_| self.names.is_of_library(block));
                 self.block_function((block, written_out), &interface, call, arguments, span)
             }
+        }
+    }
+
+    /// Whether each two neighbouring texts are in this order.
+    fn texts_in_order(&mut self, op: Op, arguments: Vec<(Typed, Span)>, span: Span) -> Typed {
+        let mut texts = Vec::with_capacity(arguments.len());
+        for (typed, place) in arguments {
+            let Some(text) = self.text(typed, place) else { return Typed::Poison };
+            texts.push((text, place));
+        }
+        let wide = texts.iter().any(|(text, _)| text.is_wide());
+        let mut before = Vec::new();
+        let mut kept: Vec<Text> = Vec::with_capacity(texts.len());
+        for (text, place) in texts {
+            let Some(text) = self.text_of(Typed::Text(text), place, wide) else { return Typed::Poison };
+            // Each is looked at twice, and computed once.
+            kept.push(match text {
+                text @ (Text::Constant(_) | Text::WideConstant(_) | Text::Place { .. }) => text,
+                source => {
+                    let room = super::texts::known_room(&source);
+                    let target = self.temporary_place(room.bytes(), span);
+                    before.push(Statement { kind: StatementKind::AssignString { target: target.clone(), room, source }, span });
+                    Text::Place { place: target, room }
+                }
+            });
+        }
+        let pairs = kept.windows(2).map(|pair| super::texts::compared(op, pair[0].clone(), pair[1].clone(), span));
+        let all = pairs.reduce(|all, next| Value { span, ..operators::compute(Op::And, vec![all, next], Scalar::Bool) });
+        match all {
+            Some(value) => Typed::Scalar { value: super::calls::after(before, value), data_type: DataType::Bool },
+            None => Typed::Poison,
         }
     }
 
@@ -480,6 +594,7 @@ impl Checker<'_> {
             }
             given.push((&formal.name, argument.span));
             let typed = if written_out.is_some() { self.number_in_text(formal, typed) } else { typed };
+            let typed = if is_joined(&call.callee) { self.part_of_date(formal, typed, place) } else { typed };
             if !self.input(formal, typed, place, &mut passed, &mut before) {
                 return Typed::Poison;
             }
@@ -492,6 +607,26 @@ impl Checker<'_> {
             return Typed::Poison;
         }
         self.result_of_function((block, written_out), interface, passed, before, span)
+    }
+
+    /// An integer of any type where a part of a date is a DINT: one that is none of a date stays none.
+    fn part_of_date(&mut self, formal: &Variable, typed: Typed, span: Span) -> Typed {
+        let Typed::Scalar { value, data_type } = typed else { return typed };
+        let kind = Kind::of(&data_type).filter(|kind| kind.is_integer());
+        let wanted = Kind::of(&formal.data_type).filter(|wanted| *wanted == Kind::DINT);
+        let Some((kind, _)) = kind.zip(wanted).filter(|&(kind, wanted)| implicit(kind, wanted, self.dialect) != Implicit::Yes) else {
+            return Typed::Scalar { value, data_type };
+        };
+        let limit = |number: i64, scalar| Value { kind: ValueKind::Constant(number as u64), scalar, span };
+        let scalar = if kind.class == Class::Signed { Scalar::I64 } else { Scalar::U64 };
+        let wide = operators::convert(value, scalar);
+        let (least, most) = (limit(i64::from(i32::MIN), scalar), limit(i64::from(i32::MAX), scalar));
+        let inside = match kind.class {
+            Class::Signed => two(Operation::Minimum, two(Operation::Maximum, wide, least, span), most, span),
+            _ => operators::compute(Op::MinU64, vec![wide, most], scalar),
+        };
+        let value = operators::convert(inside, Scalar::I32);
+        Typed::Scalar { value, data_type: DataType::DoubleInt }
     }
 
     fn result_of_function(
@@ -545,10 +680,16 @@ impl Checker<'_> {
                 }
             },
             "SIZEOF" => {
+                let is_type = |block: BlockId| matches!(block.kind, BlockKind::FunctionBlock | BlockKind::SystemFunctionBlock);
                 let data_type = match self.reach(argument) {
                     Reached::Target(target) if !self.is_whole(&target) => return Some(Typed::Poison),
                     Reached::Target(target) => target.data_type,
                     Reached::Other(Typed::Type(data_type)) => data_type,
+                    Reached::Other(Typed::Block(block)) if is_type(block) => {
+                        let block = self.brought_along(argument).unwrap_or(block);
+                        let Some(structure) = self.names.instance(block) else { return Some(Typed::Poison) };
+                        DataType::Instance { block, structure }
+                    }
                     Reached::Other(other) => match self.scalar(other, argument.span) {
                         Some((_, data_type)) => data_type,
                         None => return Some(Typed::Poison),
@@ -562,7 +703,7 @@ impl Checker<'_> {
             },
             _ => match self.expression(argument) {
                 Typed::Number { data_type: DataType::BlockData, value } => Typed::Scalar { value, data_type: DataType::Word },
-                Typed::Block(block) if block.kind == sieben_model::block::BlockKind::DataBlock => Typed::Scalar {
+                Typed::Block(block) if block.kind == BlockKind::DataBlock => Typed::Scalar {
                     value: Value { kind: ValueKind::Constant(u64::from(block.number)), scalar: Scalar::U16, span },
                     data_type: DataType::Word,
                 },
@@ -574,6 +715,13 @@ impl Checker<'_> {
                 }
             },
         })
+    }
+
+    /// The function block that the dialect brings along, where a name means one of the system: `TON`.
+    fn brought_along(&mut self, expression: &Expression) -> Option<BlockId> {
+        let ExpressionKind::Name(name) = &expression.kind else { return None };
+        let found = self.names.global(&name.text);
+        self.bare_block_type(name, found.as_ref())
     }
 
     /// REF and ADR.
@@ -605,6 +753,12 @@ impl Checker<'_> {
         let load = Value { kind: ValueKind::Load(place.clone()), scalar, span };
         (Statement { kind: StatementKind::Assign { target: place, value }, span }, load)
     }
+}
+
+/// Whether a function joins the parts of a date.
+fn is_joined(callee: &Expression) -> bool {
+    let ExpressionKind::Name(name) = &callee.kind else { return false };
+    name.text.get(..7).is_some_and(|start| start.eq_ignore_ascii_case("CONCAT_"))
 }
 
 /// Which argument each parameter gets: by its name, else by its position.

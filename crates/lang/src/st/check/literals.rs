@@ -100,11 +100,11 @@ fn real_bits(value: f64, single: f32, kind: Kind) -> u64 {
 
 fn duration(nanoseconds: i64, kind: Kind, dialect: Dialect) -> Result<u64, Misfit> {
     let signed = dialect.switches().time_signed;
-    if !signed && nanoseconds < 0 {
-        return Err(Misfit::Range("0 ms and more: TIME has no sign here".to_owned()));
-    }
     if kind.bits == 64 {
         return Ok(nanoseconds as u64);
+    }
+    if !signed && nanoseconds < 0 {
+        return Err(Misfit::Range("0 ms and more: TIME has no sign here".to_owned()));
     }
     let milliseconds = nanoseconds / NANOSECONDS_OF_MILLISECOND;
     match signed {

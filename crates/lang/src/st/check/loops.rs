@@ -47,9 +47,9 @@ impl Checker<'_> {
             return None;
         };
         let scalar = kind.scalar(self.dialect);
-        let (first, last) = (self.value(from, &target.data_type), self.value(to, &target.data_type));
+        let (first, last) = (self.counted(from, &target.data_type), self.counted(to, &target.data_type));
         let step = match by {
-            Some(by) => self.value(by, &target.data_type),
+            Some(by) => self.counted(by, &target.data_type),
             None => Some(Value { kind: ValueKind::Constant(1), scalar, span: variable.span }),
         };
         let ends = first.as_ref().zip(last.as_ref()).map(|(first, last)| (self.range_of(first), self.range_of(last)));
@@ -151,6 +151,14 @@ impl Checker<'_> {
         section == Some(sieben_model::interface::Section::Input)
     }
 
+    /// A value that is counted to or compared with: a negative one is none of a type without a sign.
+    fn counted(&mut self, value: &Expression, data_type: &DataType) -> Option<Value> {
+        let before = std::mem::replace(&mut self.keeps_sign, true);
+        let value = self.value(value, data_type);
+        self.keeps_sign = before;
+        value
+    }
+
     /// CASE.
     pub(super) fn case(&mut self, selector: &Expression, arms: &[CaseArm], otherwise: &[ast::Statement]) -> Option<StatementKind> {
         if self.asks_for_type(selector).is_some() {
@@ -230,7 +238,7 @@ impl Checker<'_> {
     }
 
     fn label_number(&mut self, expression: &Expression, data_type: &DataType) -> Option<i128> {
-        let value = self.value(expression, data_type)?;
+        let value = self.counted(expression, data_type)?;
         match value.kind {
             ValueKind::Constant(word) => Some(signed(word, value.scalar)),
             _ => {

@@ -32,6 +32,17 @@ pub(super) struct Used {
     owner: Owner,
 }
 
+/// The block that a reference or an interface refers to.
+fn refers(data_type: &DataType) -> Option<BlockId> {
+    match data_type {
+        DataType::Reference(reference) => match reference.target {
+            DataType::Instance { block, .. } => Some(block),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
 /// THIS and `THIS^`.
 pub(super) fn is_this(expression: &Expression) -> bool {
     match &expression.kind {
@@ -336,7 +347,10 @@ impl Checker<'_> {
             ExpressionKind::Name(name) => checker.own_member(name, kind),
             ExpressionKind::Member(base, name) if is_super(base) => checker.quietly(|checker| checker.super_member(name, kind, base.span)),
             ExpressionKind::Member(base, name) => {
-                let reached = checker.quietly(|checker| checker.reach(base));
+                let reached = checker.quietly(|checker| {
+                    let reached = checker.reach(base);
+                    checker.of_program_instance(reached, base.span)
+                });
                 let owner = checker.owner_of_reached(&reached, base.span)?;
                 checker.member_in(owner, &name.text, kind)
             }
@@ -403,13 +417,6 @@ impl Checker<'_> {
     pub(super) fn attempt(&mut self, target: &Expression, source: &Expression, span: Span) -> Option<StatementKind> {
         let to = self.target(target)?;
         let typed = self.expression(source);
-        let refers = |data_type: &DataType| match data_type {
-            DataType::Reference(reference) => match reference.target {
-                DataType::Instance { block, .. } => Some(block),
-                _ => None,
-            },
-            _ => None,
-        };
         let (value, from) = match typed {
             Typed::Poison => return None,
             Typed::Scalar { value: value @ Value { kind: ValueKind::Load(_), .. }, data_type } => (value, refers(&data_type)),
@@ -419,6 +426,11 @@ impl Checker<'_> {
                 return None;
             }
         };
+        self.attempted(to, value, from, span)
+    }
+
+    /// The same for a reference that is known to refer to a block.
+    pub(super) fn attempted(&mut self, to: Target, value: Value, from: Option<BlockId>, span: Span) -> Option<StatementKind> {
         let (Some(from), Some(wanted)) = (from, refers(&to.data_type)) else {
             let message = "`?=` is for references to blocks and for interfaces";
             self.report(Problem::P6200, span, message).help = Some("Write `:=`.".to_owned());

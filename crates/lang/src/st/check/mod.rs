@@ -159,6 +159,7 @@ impl<'a> Checker<'a> {
             own_errors: own_errors::asks_for_errors(block, names),
             counts_characters: false,
             quiet: false,
+            keeps_sign: false,
             held: None,
             long_signs: BTreeSet::new(),
             locals: Locals::new(names.local_size()),
@@ -213,6 +214,8 @@ struct Checker<'a> {
     counts_characters: bool,
     /// Whether messages are held back: an expression is looked at to see what it is.
     quiet: bool,
+    /// A negative number stays one: it does not become the pattern of bits of a type without a sign.
+    keeps_sign: bool,
     /// The last message that was held back: a place to write to.
     held: Option<Diagnostic>,
     /// The signs of differences whose LTIME is wanted, by their first byte.

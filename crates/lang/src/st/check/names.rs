@@ -139,6 +139,8 @@ pub trait Names {
     fn nearest(&self, name: &str) -> Option<String>;
     /// The variables of the block in the local data, with what they hold when it begins.
     fn locals(&self) -> Vec<Local>;
+    /// The data block of the only instance of a PROGRAM; `None` for everything else.
+    fn program(&self, block: BlockId) -> Option<BlockId>;
     /// The number of a block that comes with Sieben and does a standard function; the program has it from now on.
     fn provided(&self, block: &Provided) -> Option<BlockId>;
     /// Whether a block comes with Sieben: as part of the language it tells its caller's ENO/OK that it failed.
@@ -161,10 +163,14 @@ pub trait Names {
     fn of_instance(&self, name: &str) -> Option<Entity>;
     /// The block that declares a variable of a block, which may be one that it extends, and who may use it, if the section says so.
     fn access_of(&self, block: BlockId, variable: &str) -> Option<(BlockId, Option<Access>)>;
+    /// A constant that a block, or one that it extends, declares.
+    fn constant_of(&self, block: BlockId, name: &str) -> Option<Entity>;
     /// Whether a variable of a block is declared PUBLIC.
     fn is_public(&self, block: BlockId, variable: &str) -> bool {
         self.access_of(block, variable).is_some_and(|(_, access)| access == Some(Access::Public))
     }
+    /// Whether a variable of a block is VAR_IN_OUT CONSTANT: it is only read, and a call gives it any value.
+    fn is_read_only(&self, block: BlockId, variable: &str) -> bool;
     /// Whether something in the declarations of a block is wrong, which is told there.
     fn is_broken(&self, block: BlockId) -> bool;
     /// Whether the declaration of a data block is wrong, which is told there.

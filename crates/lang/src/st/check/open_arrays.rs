@@ -145,10 +145,7 @@ impl Checker<'_> {
                 Typed::Integer { value, .. } => usize::try_from(value).ok(),
                 Typed::Scalar { value: Value { kind: ValueKind::Constant(bits), .. }, .. } => usize::try_from(bits).ok(),
                 Typed::Poison => return Typed::Poison,
-                _ => {
-                    self.report(Problem::P6229, dimension.span, "the number of a dimension is a constant");
-                    return Typed::Poison;
-                }
+                typed => return self.bound_by_number(&target, typed, dimension.span, end, span),
             },
         };
         match number.filter(|number| (1..=dimensions).contains(number)).and_then(|number| self.bound(&target, number, end, span)) {
@@ -159,6 +156,26 @@ impl Checker<'_> {
                 Typed::Poison
             }
         }
+    }
+
+    /// A bound of the dimension that a variable says; 0 for a number that no dimension has.
+    fn bound_by_number(&mut self, target: &Target, dimension: Typed, place: Span, end: End, span: Span) -> Typed {
+        let DataType::Array { bounds, .. } = &target.data_type else { return Typed::Poison };
+        let count = bounds.len();
+        let Some((value, data_type)) = self.scalar(dimension, place) else { return Typed::Poison };
+        if !super::types::Kind::of(&data_type).is_some_and(super::types::Kind::is_integer) {
+            let message = format!("the number of a dimension is an integer, not {}", self.words(&data_type));
+            self.report(Problem::P6200, place, message);
+            return Typed::Poison;
+        }
+        let (keep, value) = self.kept(convert(value, Scalar::I64));
+        let mut found = number(0, Scalar::I32, span);
+        for dimension in (1..=count).rev() {
+            let Some(bound) = self.bound(target, dimension, end, span) else { return Typed::Poison };
+            let is = two(Operation::Equal, value.clone(), number(dimension as i64, Scalar::I64, span), span);
+            found = compute(Op::Select, vec![is, bound, found], Scalar::I32, span);
+        }
+        Typed::Scalar { value: super::calls::after(vec![keep], found), data_type: DataType::DoubleInt }
     }
 
     /// The bounds of an actual parameter for ARRAY[*]; `None` if it does not fit, which the caller reports.

@@ -298,12 +298,21 @@ impl Checker<'_> {
                 None => Reached::Other(self.super_property(name, span)),
             };
         }
-        let reached = self.reach(base);
+        let mut reached = self.reach(base);
+        if let Reached::Other(Typed::Block(block)) = reached
+            && self.has_members(block)
+            && self.of_program(base, name).is_none()
+        {
+            reached = self.of_program_instance(reached, base.span);
+        }
         if let Some(property) = self.property_in(&reached, name, span) {
             return Reached::Other(property);
         }
         match reached {
-            Reached::Target(target) => self.field(target, name, span),
+            Reached::Target(target) => match self.of_any(&target, name, span) {
+                Some(found) => Reached::Other(found),
+                None => self.field(target, name, span),
+            },
             Reached::Other(Typed::Poison) => POISON,
             Reached::Other(Typed::Delivered(before, target)) => match self.field(target, name, span) {
                 Reached::Target(field) => Reached::Other(self.delivered_part(before, field, span)),
@@ -331,6 +340,14 @@ impl Checker<'_> {
                 Some(entity) => self.entity(entity, &Name { span, ..name.clone() }),
                 None => Reached::Other(Typed::Block(block)),
             },
+            Reached::Other(Typed::Block(block) | Typed::Type(DataType::Instance { block, .. }))
+                if let Some(constant) = self.names.constant_of(block, &name.text) =>
+            {
+                match self.judge(Construct::ForeignInternal, name.span) {
+                    true => self.entity(constant, &Name { span, ..name.clone() }),
+                    false => POISON,
+                }
+            }
             Reached::Other(Typed::Type(data_type)) => self.value_in(&data_type, name),
             Reached::Other(other) => {
                 let what = self.what(&other);
@@ -394,6 +411,12 @@ impl Checker<'_> {
         };
         let Some(field) = structure.field(&name.text) else {
             if let DataType::Instance { block, .. } = target.data_type
+                && let Some(constant) = self.names.constant_of(block, &name.text)
+                && self.judge(Construct::ForeignInternal, name.span)
+            {
+                return self.entity(constant, &Name { span, ..name.clone() });
+            }
+            if let DataType::Instance { block, .. } = target.data_type
                 && self.names.objects().lacks_base(block)
             {
                 self.failed = true;
@@ -448,7 +471,12 @@ impl Checker<'_> {
             && self.dialect.judge(Construct::BitByNumber) != crate::st::dialect::Judgement::Reject
             && self.names.local(&name.text).is_none()
             && self.names.global(&name.text).is_none();
-        self.report(Problem::P4010, name.span, message).may_be_elsewhere = elsewhere;
+        let has_pointers = self.dialect.has_pointers();
+        let diagnostic = self.report(Problem::P4010, name.span, message);
+        diagnostic.may_be_elsewhere = elsewhere;
+        if target.data_type == DataType::Any && has_pointers {
+            diagnostic.help = Some("An ANY has `TypeClass`, `pValue` and `diSize`.".to_owned());
+        }
         POISON
     }
 
@@ -551,6 +579,11 @@ impl Checker<'_> {
                     Some(Entity::Type(whole)) => whole,
                     _ => data_type.clone(),
                 }
+            }
+            DataType::Array { bounds, element }
+                if matches!(**element, DataType::Instance { .. } | DataType::Struct(_) | DataType::Array { .. }) =>
+            {
+                DataType::Array { bounds: bounds.clone(), element: Box::new(self.finished(element)) }
             }
             other => other.clone(),
         }
@@ -745,6 +778,13 @@ impl Checker<'_> {
             && let Some(reached) = self.called_like(address)
         {
             return reached;
+        }
+        // The address is declared itself, `AT %MW6 : INT`, and has the type that is written there.
+        if address.percent
+            && let Some(name) = address.plain()
+            && let Some(entity @ Entity::Variable(_)) = self.names.local(&name).or_else(|| self.names.global(&name))
+        {
+            return self.entity(entity, &Name { text: name, span: address.span, ..Name::default() });
         }
         if matches!(address.area, ast::Area::Timer | ast::Area::Counter) {
             let data_type = if address.area == ast::Area::Timer { DataType::Timer } else { DataType::Counter };

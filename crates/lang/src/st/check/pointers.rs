@@ -11,7 +11,6 @@ use super::operators::convert;
 use super::typed::{Target, Through, Typed};
 use super::types::{Class, Kind};
 use crate::st::ast::BinaryOperator;
-use crate::st::dialect::{Construct, Judgement};
 use crate::st::standard::build::compute;
 use crate::st::standard::operators::Operation;
 use crate::st::tree::{Scalar, Value, ValueKind};
@@ -20,23 +19,18 @@ use crate::st::tree::{Scalar, Value, ValueKind};
 const BYTE: i64 = 8;
 
 impl Checker<'_> {
-    /// Whether pointers are numbers that can be counted with.
-    pub(super) fn counts_with_pointers(&self) -> bool {
-        self.dialect.judge(Construct::PointerTo) != Judgement::Reject
-    }
-
     /// 0 beside a reference is NULL.
     pub(super) fn zero_as_null(&self, a: Typed, b: &Typed) -> Typed {
         let beside = matches!(b, Typed::Scalar { data_type: DataType::Reference(_), .. });
         match a {
-            Typed::Integer { value: 0, .. } if beside && self.counts_with_pointers() => Typed::Null,
+            Typed::Integer { value: 0, .. } if beside && self.dialect.has_pointers() => Typed::Null,
             other => other,
         }
     }
 
     /// `p + 4`, `p - 4`, in bytes, and `p - q`; `None` if this is none of them.
     pub(super) fn pointer_sum(&self, operator: BinaryOperator, (a, left): (&Typed, Span), (b, right): (&Typed, Span)) -> Option<Typed> {
-        if !self.counts_with_pointers() {
+        if !self.dialect.has_pointers() {
             return None;
         }
         let span = left.to(right);
@@ -70,7 +64,7 @@ impl Checker<'_> {
     /// Pointers in one order or another, whatever they point to.
     pub(super) fn pointers_compared(&self, operator: BinaryOperator, a: &Typed, b: &Typed, span: Span) -> Option<Value> {
         let (Typed::Scalar { value: x, data_type: p }, Typed::Scalar { value: y, data_type: q }) = (a, b) else { return None };
-        if !is_pointer(p) || !is_pointer(q) || !self.counts_with_pointers() {
+        if !is_pointer(p) || !is_pointer(q) || !self.dialect.has_pointers() {
             return None;
         }
         let [x, y] = side_by_side((x, p), (y, q));

@@ -2,6 +2,7 @@
 //! `__NEW`.
 
 use sieben_engine::ir::Op;
+use sieben_model::block::BlockId;
 use sieben_model::problems::Problem;
 use sieben_model::source::Span;
 use sieben_model::types::{DataType, ReferenceKind};
@@ -9,11 +10,11 @@ use sieben_model::types::{DataType, ReferenceKind};
 use super::Checker;
 use super::calls::after;
 use super::members::interface_of;
-use super::names::Entity;
-use super::typed::Typed;
-use crate::st::ast::{self, Expression, ExpressionKind, Name};
-use crate::st::dialect::{Construct, Judgement};
-use crate::st::tree::{Place, Scalar, Statement, StatementKind, Value, ValueKind};
+use super::names::Role;
+use super::places::Reached;
+use super::typed::{Target, Through, Typed};
+use crate::st::ast::{self, Expression, Name};
+use crate::st::tree::{Base, Place, Scalar, Statement, StatementKind, Value, ValueKind};
 
 /// Functions of the system that are not there, and what does the same.
 const ABSENT: &[(&str, &str)] = &[
@@ -47,7 +48,7 @@ impl Checker<'_> {
             self.report(Problem::P6323, name.span, format!("`{absent}` does not exist here")).help = Some((*help).to_owned());
             return Some(Typed::Poison);
         }
-        if self.dialect.judge(Construct::PointerTo) == Judgement::Reject {
+        if !self.dialect.has_pointers() {
             return None;
         }
         if let Some((absent, help)) = ABSENT.iter().find(|(absent, _)| name.is(absent)) {
@@ -66,25 +67,27 @@ impl Checker<'_> {
     /// Whether what an interface refers to has another one too, to which the second argument refers from then on.
     fn query_interface(&mut self, call: &ast::Call, span: Span) -> Option<Typed> {
         let [from, to] = self.two_arguments("__QUERYINTERFACE", call, span)?;
-        self.interface_variable("__QUERYINTERFACE", from)?;
+        let (mut before, source, of) = self.queried("__QUERYINTERFACE", from)?;
         let target = self.interface_variable("__QUERYINTERFACE", to)?;
-        let kind = self.attempt(to, from, span)?;
-        Some(is_set(vec![Statement { kind, span }], target, span))
+        let place = target.place.clone();
+        let kind = self.attempted(target, source, Some(of), span)?;
+        before.push(Statement { kind, span });
+        Some(is_set(before, place, span))
     }
 
     /// A pointer to what an interface refers to.
     fn query_pointer(&mut self, call: &ast::Call, span: Span) -> Option<Typed> {
         let [from, to] = self.two_arguments("__QUERYPOINTER", call, span)?;
-        let source = self.interface_variable("__QUERYPOINTER", from)?;
+        let (mut before, value, _) = self.queried("__QUERYPOINTER", from)?;
         let target = self.target(to)?;
         if !matches!(&target.data_type, DataType::Reference(reference) if reference.kind == ReferenceKind::Pointer) {
             let message = format!("`__QUERYPOINTER` writes a POINTER, and `{}` is {}", target.name, self.words(&target.data_type));
             self.report(Problem::P4011, to.span, message);
             return None;
         }
-        let value = Value { kind: ValueKind::Load(source), scalar: Scalar::U64, span };
         let kind = StatementKind::Assign { target: target.place.clone(), value };
-        Some(is_set(vec![Statement { kind, span }], target.place, span))
+        before.push(Statement { kind, span });
+        Some(is_set(before, target.place, span))
     }
 
     /// Whether a REFERENCE TO refers to something.
@@ -94,14 +97,22 @@ impl Checker<'_> {
             self.report(Problem::P6219, span, "`__ISVALIDREF` takes one parameter, a REFERENCE TO");
             return None;
         };
-        if let ExpressionKind::Name(name) = &argument.kind
-            && let Some(Entity::Variable(variable)) = self.names.local(&name.text).or_else(|| self.names.global(&name.text))
-            && matches!(&variable.data_type, DataType::Reference(reference) if reference.kind == ReferenceKind::Reference)
-        {
-            let place = Place { base: variable.base, offset: variable.offset, indexes: Vec::new(), span };
-            return Some(is_set(Vec::new(), place, span));
-        }
-        let typed = self.expression(argument);
+        let is_alias =
+            |data_type: &DataType| matches!(data_type, DataType::Reference(reference) if reference.kind == ReferenceKind::Reference);
+        let typed = match self.reach_itself(argument) {
+            Reached::Target(target) if is_alias(&target.data_type) => return Some(is_set(Vec::new(), target.place, span)),
+            // What a function or a property delivers.
+            Reached::Other(Typed::Scalar { value, data_type }) if is_alias(&data_type) => return Some(is_not_null(value, span)),
+            // A call gives every VAR_IN_OUT a variable.
+            Reached::Target(Target { role, through: Through::Itself, place, .. })
+                if role == Role::InOut || matches!(place.base, Base::ComplexParameter(_) | Base::InstancePointer(_)) =>
+            {
+                let value = Value { kind: ValueKind::Constant(1), scalar: Scalar::Bool, span };
+                return Some(Typed::Scalar { value, data_type: DataType::Bool });
+            }
+            Reached::Target(_) => Typed::Null,
+            Reached::Other(typed) => typed,
+        };
         if typed != Typed::Poison {
             self.report(Problem::P4011, argument.span, "`__ISVALIDREF` takes a variable that is declared as REFERENCE TO").help =
                 Some("A pointer is compared with 0, an interface too.".to_owned());
@@ -118,8 +129,31 @@ impl Checker<'_> {
         None
     }
 
-    /// Where a variable lies that is an interface.
-    fn interface_variable(&mut self, function: &str, expression: &Expression) -> Option<Place> {
+    /// What is asked for an interface or a pointer: an interface, whatever delivers it, or an instance. The statements that keep it, its
+    /// address, and the block that it is known to be.
+    fn queried(&mut self, function: &str, expression: &Expression) -> Option<(Vec<Statement>, Value, BlockId)> {
+        let span = expression.span;
+        let (value, block) = match self.expression(expression) {
+            Typed::Poison => return None,
+            Typed::Scalar { value, data_type } if let Some(block) = interface_of(&data_type) => (value, block),
+            Typed::Aggregate(Target { place, data_type: DataType::Instance { block, .. }, .. }) => {
+                (Value { kind: ValueKind::AddressOf(place), scalar: Scalar::U64, span }, block)
+            }
+            other => {
+                let message = format!("`{function}` takes an interface or an instance, and this is {}", self.what(&other));
+                self.report(Problem::P4011, span, message);
+                return None;
+            }
+        };
+        if matches!(value.kind, ValueKind::Load(_)) {
+            return Some((Vec::new(), value, block));
+        }
+        let (statement, kept) = self.kept(value);
+        Some((vec![statement], kept, block))
+    }
+
+    /// A variable that is an interface.
+    fn interface_variable(&mut self, function: &str, expression: &Expression) -> Option<Target> {
         let target = self.target(expression)?;
         if interface_of(&target.data_type).is_none() {
             let message =
@@ -127,14 +161,22 @@ impl Checker<'_> {
             self.report(Problem::P4011, expression.span, message);
             return None;
         }
-        Some(target.place)
+        Some(target)
     }
 }
 
 /// Whether a reference is not NULL after the statements.
 fn is_set(before: Vec<Statement>, place: Place, span: Span) -> Typed {
     let load = Value { kind: ValueKind::Load(place), scalar: Scalar::U64, span };
+    match is_not_null(load, span) {
+        Typed::Scalar { value, data_type } => Typed::Scalar { value: after(before, value), data_type },
+        other => other,
+    }
+}
+
+/// Whether a reference refers to something.
+fn is_not_null(reference: Value, span: Span) -> Typed {
     let null = Value { kind: ValueKind::Constant(0), scalar: Scalar::U64, span };
-    let value = Value { kind: ValueKind::Compute { op: Op::Differ, args: vec![load, null] }, scalar: Scalar::Bool, span };
-    Typed::Scalar { value: after(before, value), data_type: DataType::Bool }
+    let value = Value { kind: ValueKind::Compute { op: Op::Differ, args: vec![reference, null] }, scalar: Scalar::Bool, span };
+    Typed::Scalar { value, data_type: DataType::Bool }
 }

@@ -22,6 +22,7 @@ use super::{Block, Checker, Label, operators, walk};
 use crate::st::ast::{self, AssignOperator, BinaryOperator, Expression, ExpressionKind, Name, StatementKind as Kinds};
 use crate::st::dialect::{Construct, IndexFault, Judgement};
 use crate::st::dtl;
+use crate::st::objects::TYPE_NUMBER_BITS;
 use crate::st::standard;
 use crate::st::tree::{Argument, Call, Callee, Place, Scalar, Statement, StatementKind, Text, Value, ValueKind, room_of};
 
@@ -174,6 +175,9 @@ impl Checker<'_> {
             }
             _ => {
                 let before = self.diagnostics.len();
+                if let Some(done) = self.value_statement(expression, span) {
+                    return done;
+                }
                 match self.reach(expression) {
                     Reached::Target(Target { data_type: DataType::Instance { .. }, name, .. }) => {
                         let end = Span { start: expression.span.end, ..expression.span };
@@ -193,6 +197,37 @@ impl Checker<'_> {
                 }
                 None
             }
+        }
+    }
+
+    /// A value that stands alone, where the dialect takes it: a property is read, a call without brackets is a call, all else does nothing.
+    /// `None` for what is no such statement.
+    fn value_statement(&mut self, expression: &Expression, span: Span) -> Option<Option<StatementKind>> {
+        if !matches!(expression.kind, ExpressionKind::Name(_) | ExpressionKind::Member(..) | ExpressionKind::Index(..))
+            || self.dialect.judge(Construct::ValueStatement) == Judgement::Reject
+        {
+            return None;
+        }
+        // An action, a method or a PROGRAM that is called without brackets.
+        let call = ast::Call { callee: expression.clone(), arguments: Vec::new() };
+        let called = self.quietly(|checker| checker.called(expression));
+        let is_program = matches!(&called, Called::Instance(block, ..) if self.names.program(*block).is_some());
+        if is_program || matches!(called, Called::Method(..) | Called::Action(_)) {
+            self.judge(Construct::BareCall, expression.span);
+            return Some(self.call_statement(&call, span));
+        }
+        match self.quietly(|checker| checker.reach(expression)) {
+            Reached::Other(Typed::Scalar { value, .. }) => {
+                self.judge(Construct::ValueStatement, expression.span);
+                self.reach(expression);
+                let (statement, _) = self.kept(value);
+                Some(Some(statement.kind))
+            }
+            Reached::Target(Target { data_type, .. }) if !matches!(data_type, DataType::Instance { .. } | DataType::Void) => {
+                self.judge(Construct::ValueStatement, expression.span);
+                Some(None)
+            }
+            _ => None,
         }
     }
 
@@ -270,6 +305,11 @@ impl Checker<'_> {
             return None;
         };
         let place = place?;
+        // `r REF= 0` lets it refer to nothing.
+        if let Typed::Integer { value: 0, .. } | Typed::Null = self.quietly(|checker| checker.expression(value)) {
+            let value = Value { kind: ValueKind::Constant(0), scalar: Scalar::U64, span };
+            return Some(StatementKind::Assign { target: place, value });
+        }
         if let Reached::Target(source) = self.quietly(|checker| checker.reach(value))
             && ends_with_block(&source.place)
             && stays(&place)
@@ -424,6 +464,10 @@ impl Checker<'_> {
         if Kind::of(&target.data_type).is_some() || room_of(&target.data_type).is_some() {
             return None;
         }
+        // An instance stays one of its own block, whatever the function delivers.
+        if matches!(target.data_type, DataType::Instance { .. }) {
+            return None;
+        }
         let conversion = match self.by_target(value, &target.data_type) {
             Some(Some(conversion)) => Some(conversion),
             Some(None) => return Some(None),
@@ -503,19 +547,21 @@ impl Checker<'_> {
             (wanted, Typed::Structured(_, bytes)) if dtl::is_dtl(wanted) => {
                 Some(StatementKind::Block(Self::write_dtl(&target.place, bytes, span)))
             }
-            (wanted, Typed::Delivered(mut before, source)) if same_type(wanted, &source.data_type) => {
-                let bytes = u32::try_from(wanted.bits().div_ceil(8)).unwrap_or(u32::MAX);
-                before.push(Statement { kind: StatementKind::Copy { target: target.place, source: source.place, bytes }, span });
+            (wanted, Typed::Delivered(mut before, source))
+                if same_type(wanted, &source.data_type) || self.is_extended_by(wanted, &source.data_type) =>
+            {
+                before.push(Statement { kind: self.copied(&target, source.place), span });
                 Some(StatementKind::Block(before))
             }
-            (wanted, Typed::Aggregate(source)) if same_type(wanted, &source.data_type) => {
+            (wanted, Typed::Aggregate(source))
+                if same_type(wanted, &source.data_type) || self.is_extended_by(wanted, &source.data_type) =>
+            {
                 if matches!(wanted, DataType::Instance { .. }) && !self.dialect.switches().temporaries_initialised {
                     let message = format!("`{}` is an instance, and instances are not copied", target.name);
                     self.report(Problem::P6204, target.place.span, message);
                     return None;
                 }
-                let bytes = u32::try_from(wanted.bits().div_ceil(8)).unwrap_or(u32::MAX);
-                Some(StatementKind::Copy { target: target.place, source: source.place, bytes })
+                Some(self.copied(&target, source.place))
             }
             (wanted, other) => {
                 let wanted = wanted.clone();
@@ -529,6 +575,23 @@ impl Checker<'_> {
                 None
             }
         }
+    }
+
+    /// Whether a value of the second type is an instance of a block that extends the first one.
+    pub(super) fn is_extended_by(&self, wanted: &DataType, data_type: &DataType) -> bool {
+        match (wanted, data_type) {
+            (DataType::Instance { block: wanted, .. }, DataType::Instance { block, .. }) => self.names.objects().is_a(*block, *wanted),
+            _ => false,
+        }
+    }
+
+    /// A copy of a structure, an array or an instance, which stays one of its own block.
+    fn copied(&self, target: &Target, source: Place) -> StatementKind {
+        let bytes = u32::try_from(target.data_type.bits().div_ceil(8)).unwrap_or(u32::MAX);
+        let typed = matches!(target.data_type, DataType::Instance { block, .. } if self.names.objects().is_typed(block));
+        let skipped = if typed { TYPE_NUMBER_BITS } else { 0 };
+        let behind = |place: Place| Place { offset: place.offset.saturating_add(skipped), ..place };
+        StatementKind::Copy { target: behind(target.place.clone()), source: behind(source), bytes: bytes.saturating_sub(skipped / 8) }
     }
 
     /// An assignment to a subrange: a value outside its limits is not stored.

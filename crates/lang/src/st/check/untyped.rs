@@ -7,6 +7,7 @@ use super::calls::Called;
 use super::typed::Typed;
 use super::types::{Class, Kind};
 use crate::st::ast::{self, BinaryOperator, Direction, Expression, ExpressionKind, Literal, LiteralKind, Name, Quoting, UnaryOperator};
+use crate::st::dialect::{Construct, Judgement};
 use crate::st::standard::operators::limits;
 
 /// Functions of bits whose result has the type of their operand.
@@ -31,17 +32,48 @@ impl Checker<'_> {
         {
             return Some(typed);
         }
+        if let Some(typed) = self.day_as(expression, kind, wanted.base()) {
+            return Some(typed);
+        }
         let bits = kind.is_integer() || kind.class == Class::Bits && kind.bits > 1;
         if !bits && kind != Kind::LREAL {
             return None;
         }
-        let whole = kind.is_integer() && self.chooses_whole_numbers(expression, kind);
+        if kind.class == Class::Bits || self.bits_of_integers(kind) {
+            let mut typed = expression.clone();
+            if self.inverts_numbers(expression, kind) {
+                write_type(&mut typed, wanted.base().word());
+                return Some(typed);
+            }
+        }
+        let whole = bits && self.chooses_whole_numbers(expression, kind);
         let family = if bits && !whole { Family::Shifts } else { Family::Choices };
         if self.family(expression)? != family {
             return None;
         }
         let mut typed = expression.clone();
         self.give_type(&mut typed, wanted.base()).then_some(typed)
+    }
+
+    /// DAY_OF_WEEK as the integer of where it stands: every one has seven numbers.
+    fn day_as(&mut self, expression: &Expression, kind: Kind, wanted: &DataType) -> Option<Expression> {
+        let inner = match &expression.kind {
+            ExpressionKind::Parenthesized(inner) => inner,
+            _ => expression,
+        };
+        let ExpressionKind::Call(call) = &inner.kind else { return None };
+        let named = matches!(&call.callee.kind, ExpressionKind::Name(name) if name.is("DAY_OF_WEEK") && name.quoting == Quoting::Bare);
+        let implicit = super::types::implicit(Kind::INT, kind, self.dialect) == super::types::Implicit::Yes;
+        if !named || !kind.is_integer() || implicit || !matches!(self.quietly(|checker| checker.called(&call.callee)), Called::Standard(_))
+        {
+            return None;
+        }
+        let text = format!("INT_TO_{}", wanted.word()?);
+        let (value, span) = (Some(expression.clone()), expression.span);
+        let argument = ast::Argument { name: None, direction: Direction::Assigned, value, span };
+        let callee = Expression { kind: ExpressionKind::Name(Name { text, span: call.callee.span, ..Name::default() }), span };
+        let call = ast::Call { callee, arguments: vec![argument] };
+        Some(Expression { kind: ExpressionKind::Call(Box::new(call)), span })
     }
 
     /// TRUNC with the integer type of where it stands, in the dialect where it has no type of its own.
@@ -91,8 +123,8 @@ impl Checker<'_> {
                 let of = chosen(call).unwrap_or_default();
                 let mut values = of.iter().filter_map(|&index| call.arguments[index].value.as_ref());
                 let fits = |value: &Expression| match number_of(value) {
-                    Some((number, _)) => (least..=most).contains(&number),
-                    None => self.chooses_whole_numbers(value, kind),
+                    Some((number, radix)) => (least..=most).contains(&number) && self.takes_notation(kind, radix),
+                    None => self.chooses_whole_numbers(value, kind) || kind.class == Class::Bits && self.inverts_numbers(value, kind),
                 };
                 !of.is_empty() && values.all(fits)
             }
@@ -100,9 +132,22 @@ impl Checker<'_> {
         }
     }
 
+    /// Whether a number in this notation is one of a kind, without a word about it.
+    fn takes_notation(&self, kind: Kind, radix: u8) -> bool {
+        kind.class != Class::Bits || radix != 10 || self.dialect.judge(Construct::DecimalToBitString) == Judgement::Accept
+    }
+
+    /// `NOT 16#F0`, `NOT (16#F0 OR 1)`: numbers only, which all fit a type of bits.
+    fn inverts_numbers(&self, expression: &Expression, kind: Kind) -> bool {
+        let (least, most) = limits(kind.scalar(self.dialect));
+        are_inverted(expression, &|number, radix| (least..=most).contains(&number) && self.takes_notation(kind, radix))
+    }
+
     /// Two operands, one of which is made of shifted or chosen numbers without a type.
     pub(super) fn beside_untyped(&mut self, left: &Expression, right: &Expression) -> Option<(Typed, Typed)> {
-        let takes_type = |checker: &mut Self, operand: &Expression| checker.family(operand).is_some() || checker.truncates(operand);
+        let takes_type = |checker: &mut Self, operand: &Expression| {
+            are_inverted(operand, &|_, _| true) || checker.family(operand).is_some() || checker.truncates(operand)
+        };
         match (takes_type(self, left), takes_type(self, right)) {
             (true, false) => {
                 let b = self.expression(right);
@@ -140,7 +185,10 @@ impl Checker<'_> {
                     (None, Some(of)) => {
                         let mut values = of.iter().filter_map(|&index| call.arguments[index].value.as_ref());
                         values
-                            .all(|value| is_number(value, Family::Choices) || self.family(value) == Some(Family::Choices))
+                            .all(|value| {
+                                let number = is_number(value, Family::Choices) || are_inverted(value, &|_, _| true);
+                                number || self.family(value) == Some(Family::Choices)
+                            })
                             .then_some(Family::Choices)
                     }
                     (None, None) => None,
@@ -168,7 +216,7 @@ impl Checker<'_> {
                 let ring = [DataType::Byte, DataType::Word, DataType::DoubleWord, DataType::LongWord];
                 let smallest = ring.into_iter().find(|ring| value >= 0 && value >> ring.bits() == 0);
                 let data_type = match smallest {
-                    Some(ring) if rotates && self.counts_with_pointers() => ring,
+                    Some(ring) if rotates && self.dialect.has_pointers() => ring,
                     _ => wanted.clone(),
                 };
                 let fits = Kind::of(&data_type).is_some_and(|kind| {
@@ -247,6 +295,25 @@ fn number_of(expression: &Expression) -> Option<(i128, u8)> {
         ExpressionKind::Unary(UnaryOperator::Minus, inner) => number_of(inner).map(|(value, radix)| (-value, radix)),
         _ => None,
     }
+}
+
+/// Whether an expression is `NOT` of numbers, and of nothing else, that are all taken.
+fn are_inverted(expression: &Expression, takes: &dyn Fn(i128, u8) -> bool) -> bool {
+    fn all(expression: &Expression, takes: &dyn Fn(i128, u8) -> bool, inverts: &mut bool) -> bool {
+        match &expression.kind {
+            ExpressionKind::Parenthesized(inner) => all(inner, takes, inverts),
+            ExpressionKind::Unary(UnaryOperator::Not, inner) => {
+                *inverts = true;
+                all(inner, takes, inverts)
+            }
+            ExpressionKind::Binary(BinaryOperator::And | BinaryOperator::Or | BinaryOperator::Xor, _, a, b) => {
+                all(a, takes, inverts) && all(b, takes, inverts)
+            }
+            _ => number_of(expression).is_some_and(|(number, radix)| takes(number, radix)),
+        }
+    }
+    let mut inverts = false;
+    all(expression, takes, &mut inverts) && inverts
 }
 
 /// Whether an expression is a number without a type that a family works on.

@@ -1,11 +1,13 @@
 //! VARIANT: what a call tells of it, TypeOf, IS_ARRAY, VariantGet and their kin, which ask at run time what was given.
 
+use std::sync::Arc;
+
 use sieben_engine::ir::Op;
 use sieben_model::block::BlockKind;
 use sieben_model::interface::{Interface, Variable};
 use sieben_model::problems::Problem;
 use sieben_model::source::Span;
-use sieben_model::types::{DataType, STRING_LENGTH_MAX, Structure};
+use sieben_model::types::{DataType, Reference, ReferenceKind, STRING_LENGTH_MAX, Structure};
 
 use super::Checker;
 use super::expressions::same_type;
@@ -18,6 +20,7 @@ use crate::st::ast::{self, BinaryOperator, CaseArm, CaseLabel, Expression, Expre
 use crate::st::standard::build::compute;
 use crate::st::standard::operators::Operation;
 use crate::st::tree::{Argument, Place, Scalar, Statement, StatementKind, Value, ValueKind};
+use crate::st::type_class::{self, class_of};
 use crate::st::variants::{self, Told, told_name, type_number};
 
 /// Where the number of the data block and the pointer lie in an ANY, in bits.
@@ -97,6 +100,11 @@ impl Checker<'_> {
                     }
                 }
             }
+            known if self.dialect.has_pointers() => {
+                let bytes = known.bits_used().div_ceil(8).min(u64::from(u32::MAX));
+                let class = u64::from(class_of(known)) << 32 | bytes;
+                [number(class as i64, Scalar::U64, place.span), number(0, Scalar::U32, place.span)]
+            }
             known => constants(known, place.span),
         };
         for (formal, value) in [of_type, of_count].into_iter().zip(found) {
@@ -119,6 +127,30 @@ impl Checker<'_> {
             Some(Value { kind: ValueKind::Load(place), scalar, span })
         };
         Some([read(Told::Type, Scalar::U64)?, read(Told::Count, Scalar::U32)?])
+    }
+
+    /// TypeClass, diSize and pValue of an ANY in codesys; `None` for other names, and for an ANY that no call gave.
+    pub(super) fn of_any(&mut self, any: &Target, name: &ast::Name, span: Span) -> Option<Typed> {
+        if any.data_type != DataType::Any || !self.dialect.has_pointers() {
+            return None;
+        }
+        let [told, _] = self.told_of(&any.name, span)?;
+        let scalar = |value: Value, data_type: DataType| Some(Typed::Scalar { value: Value { span, ..value }, data_type });
+        match () {
+            () if name.is("TypeClass") => {
+                let class = compute(Op::Shr64, vec![told, number(32, Scalar::U32, span)], Scalar::U64, span);
+                scalar(convert(class, Scalar::I16), type_class::data_type())
+            }
+            () if name.is("diSize") => {
+                let bytes = compute(Op::AndU64, vec![told, number(0xFFFF_FFFF, Scalar::U64, span)], Scalar::U64, span);
+                scalar(convert(bytes, Scalar::I32), DataType::DoubleInt)
+            }
+            () if name.is("pValue") => {
+                let byte = Reference { target: DataType::Byte, kind: ReferenceKind::Pointer };
+                scalar(pointer_of_any(&any.place, span), DataType::Reference(Arc::new(byte)))
+            }
+            () => None,
+        }
     }
 
     /// Whether an expression is a VARIANT of the block.
@@ -153,12 +185,7 @@ impl Checker<'_> {
             self.any_is_no_variant(&target.name, span);
             return None;
         };
-        let load = |at: u32, scalar: Scalar| {
-            let place = Place { base: target.place.base.clone(), offset: target.place.offset + at, indexes: Vec::new(), span };
-            convert(Value { kind: ValueKind::Load(place), scalar, span }, Scalar::U64)
-        };
-        let block = compute(Op::Shl64, vec![load(NUMBER_AT, Scalar::U16), number(32, Scalar::U32, span)], Scalar::U64, span);
-        let pointer = compute(Op::OrU64, vec![block, load(POINTER_AT, Scalar::U32)], Scalar::U64, span);
+        let pointer = pointer_of_any(&target.place, span);
         Some(Described { type_number, count, place: referred(pointer, span), target })
     }
 
@@ -345,6 +372,16 @@ impl Checker<'_> {
         let [type_number, count] = constants(&data_type, span);
         Some(Side { type_number, count: Some(count) })
     }
+}
+
+/// The pointer in an ANY.
+fn pointer_of_any(any: &Place, span: Span) -> Value {
+    let load = |at: u32, scalar: Scalar| {
+        let place = Place { base: any.base.clone(), offset: any.offset + at, indexes: Vec::new(), span };
+        convert(Value { kind: ValueKind::Load(place), scalar, span }, Scalar::U64)
+    };
+    let block = compute(Op::Shl64, vec![load(NUMBER_AT, Scalar::U16), number(32, Scalar::U32, span)], Scalar::U64, span);
+    compute(Op::OrU64, vec![block, load(POINTER_AT, Scalar::U32)], Scalar::U64, span)
 }
 
 /// Whether two types are the same one.

@@ -62,7 +62,7 @@ pub(crate) fn expressions(statements: &[Statement], see: &mut dyn FnMut(&Express
 }
 
 /// Shows every statement to `see`, also those inside others.
-pub(super) fn statements(list: &[Statement], see: &mut dyn FnMut(&Statement)) {
+pub(crate) fn statements(list: &[Statement], see: &mut dyn FnMut(&Statement)) {
     for statement in list {
         see(statement);
         match &statement.kind {

@@ -130,13 +130,18 @@ impl Resolver<'_, '_> {
         if !open || !self.dialect.switches().unlinked_is_memory || told() {
             return location;
         }
+        self.is_memory(span);
+        None
+    }
+
+    /// Says once in a program that a variable whose address nobody tells is memory.
+    pub(super) fn is_memory(&mut self, span: Span) {
         if !std::mem::replace(&mut self.types.known.unlinked, true) {
             let message = "no VAR_CONFIG tells this address: the variable is memory of its own";
             let diagnostic = self.report(Problem::P6330, span, message);
             diagnostic.may_be_elsewhere = true;
-            diagnostic.help = Some("Write the address, as in `AT %IX0.0`; other variables of the program are not listed.".to_owned());
+            diagnostic.help = Some("Write the address of a variable of a block, as in `AT %IX0.0`; other variables of the program, and fields, are not listed.".to_owned());
         }
-        None
     }
 }
 

@@ -90,7 +90,7 @@ impl Environment<'_> {
         bodies.diagnostics.extend(wrong);
         let mut generated = match self.is_configured() {
             true => self.configured(exists, bodies),
-            false => organization_blocks(self.items, exists, &mut bodies.diagnostics),
+            false => organization_blocks(self.items, &bodies.calls, exists, &mut bodies.diagnostics),
         };
         let beginning = self.beginning(bodies);
         self.restarts(cpu, exists, &beginning, &mut generated, &mut bodies.diagnostics);

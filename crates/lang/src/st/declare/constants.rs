@@ -1,14 +1,19 @@
 //! Constant expressions: bounds, lengths, initial values, CONST, VAR CONSTANT, values of enumerations.
 
+use sieben_model::block::BlockId;
 use sieben_model::problems::Problem;
 use sieben_model::source::Span;
 use sieben_model::types::DataType;
 
+use super::declaring::Declaring;
+use super::interface::is_constant;
+use super::sizes::Unsized;
 use super::types::Resolver;
 use crate::declarations::types::State;
 use crate::scope::{did_you_mean, key};
 use crate::st::ast::{self, BinaryOperator, Expression, ExpressionKind, LiteralKind, Name, UnaryOperator};
 use crate::st::check::names::{Constant, Entity};
+use crate::st::dialect::Construct;
 
 /// Nanoseconds of a millisecond, in which durations without `L` count.
 const MILLISECOND: i64 = 1_000_000;
@@ -16,7 +21,7 @@ const MILLISECOND: i64 = 1_000_000;
 /// What is said of an expression that is not constant.
 const NOT_CONSTANT: &str = "this must be known when the program is compiled: a constant, or an expression of constants";
 
-impl Resolver<'_, '_> {
+impl<'a> Resolver<'_, 'a> {
     /// The value of a constant expression; `None` if it has none, which is reported.
     pub(super) fn constant(&mut self, expression: &Expression) -> Option<Constant> {
         let span = expression.span;
@@ -42,6 +47,13 @@ impl Resolver<'_, '_> {
                 self.binary(*operator, left, right, span)
             }
             ExpressionKind::Missing => None,
+            ExpressionKind::Call(call) if matches!(&call.callee.kind, ExpressionKind::Name(name) if name.is("SIZEOF")) => {
+                match self.size_of(call) {
+                    Ok(value) => Some(Constant { value: LiteralKind::Integer { value, radix: 10 }, data_type: None }),
+                    Err(Unsized::Reported) => None,
+                    Err(Unsized::Unknown) => self.not_constant(span),
+                }
+            }
             ExpressionKind::Call(call) if takes_address(call) => {
                 let message = "an address is known when the program starts, and this has to be known when it is compiled";
                 self.report(Problem::P6122, span, message).help = Some(
@@ -74,6 +86,11 @@ impl Resolver<'_, '_> {
     fn named_constant(&mut self, name: &Name) -> Option<Constant> {
         let wanted = key(&name.text);
         if let Some(found) = self.local_constant(&wanted, name.span) {
+            return found;
+        }
+        // What the block itself declares was looked at; a constant that needs itself is not found a second time.
+        let inherits = |own: &BlockId| self.items.own_declaration(*own, &name.text).is_none();
+        if let Some(found) = self.own.filter(inherits).and_then(|own| self.constant_of_line(own, &name.text)) {
             return found;
         }
         let items = self.items;
@@ -111,6 +128,9 @@ impl Resolver<'_, '_> {
         let full = format!("{before}.{}", key(&name.text));
         if items.globals.contains_key(&full) {
             return self.global_constant(&full, span);
+        }
+        if let Some(found) = items.block_in(self.space, &path.join(".")).and_then(|block| self.constant_of_line(block, &name.text)) {
+            return if self.judge(Construct::ForeignInternal, name.span) { found } else { None };
         }
         self.report(Problem::P6122, span, NOT_CONSTANT).may_be_elsewhere = true;
         None
@@ -337,6 +357,50 @@ impl Resolver<'_, '_> {
             self.names.insert(wanted.to_owned(), Entity::Constant(constant.clone()));
         }
         Some(value)
+    }
+
+    /// A constant that a block, or one that it extends, declares; `None` if none of them does.
+    fn constant_of_line(&mut self, block: BlockId, name: &str) -> Option<Option<Constant>> {
+        let Declaring { block, section, declaration } = self.items.declaration_of(block, name)?;
+        if !is_constant(section, declaration) {
+            return None;
+        }
+        // The value belongs to no interface that could be compared with that of before.
+        self.types.reuse.depends_on_order();
+        let wanted = key(&format!("{block}.{name}"));
+        match self.types.known.constants.get(&wanted) {
+            Some(State::Done(done)) => return Some(done.clone()),
+            Some(State::InProgress) => {
+                self.report(Problem::P3016, declaration.span, "this constant is defined by itself");
+                return Some(None);
+            }
+            None => {}
+        }
+        if !self.types.enter(declaration.span) {
+            return Some(None);
+        }
+        self.types.known.constants.insert(wanted.clone(), State::InProgress);
+        self.types.reuse.begin_shared();
+        let value = self.inside(block).and_then(|mut inner| inner.declared_constant(declaration));
+        self.types.reuse.end_shared();
+        self.types.leave();
+        self.types.known.constants.insert(wanted, State::Done(value.clone()));
+        Some(value)
+    }
+
+    /// The same for what stands in the declarations of a block.
+    pub(super) fn inside(&mut self, block: BlockId) -> Option<Resolver<'_, 'a>> {
+        let items = self.items;
+        let code = items.code.get(&block)?;
+        let mut inner = Resolver::new(self.types, items, code.dialect).within(code.space);
+        inner.own = Some(block);
+        let constants = code.block.sections.iter().flat_map(|section| section.declarations.iter().map(move |one| (section, one)));
+        for (_, declaration) in constants.filter(|(section, declaration)| is_constant(section, declaration)) {
+            for declared in &declaration.names {
+                inner.constant_declarations.insert(key(&declared.name.text), declaration);
+            }
+        }
+        Some(inner)
     }
 
     fn constant_names(&self) -> Vec<&str> {

@@ -26,6 +26,7 @@ use crate::st::dialect::Dialect;
 use crate::st::objects::Objects;
 use crate::st::standard::Provided;
 use crate::st::tree::{self, Base, Local, Place, Scalar, Statement, StatementKind, Text, TextRoom, ValueKind};
+use crate::st::type_class;
 
 pub(crate) use super::globals::Globals;
 
@@ -269,6 +270,12 @@ impl Names for BlockNames<'_, '_> {
         if let Some(entity) = environment.symbol(name) {
             return Some(entity);
         }
+        if self.dialect.has_pointers() && wanted == key(type_class::WORD) {
+            return Some(Entity::Type(type_class::data_type()));
+        }
+        if self.dialect.has_pointers() && wanted == key(type_class::SYSTEM) {
+            return Some(Entity::Qualifier);
+        }
         environment.items.qualifiers.contains(&wanted).then_some(Entity::Qualifier)
     }
 
@@ -288,6 +295,10 @@ impl Names for BlockNames<'_, '_> {
             .or_else(|| spellings.iter().find_map(|full| environment.type_entity(full)))
             .or_else(block)
             .or_else(|| spellings.iter().any(|full| environment.items.namespaces.contains(full)).then_some(Entity::Qualifier))
+            .or_else(|| {
+                let system = self.dialect.has_pointers() && before == key(type_class::SYSTEM) && last == key(type_class::WORD);
+                system.then(|| Entity::Type(type_class::data_type()))
+            })
             // `Standard.TON`: the library of a block needs not be told.
             .or_else(|| if environment.items.qualifiers.contains(&before) || before == "standard" { self.global(&last) } else { None })
     }
@@ -334,6 +345,13 @@ impl Names for BlockNames<'_, '_> {
 
     fn locals(&self) -> Vec<Local> {
         self.declared.locals.clone()
+    }
+
+    fn program(&self, block: BlockId) -> Option<BlockId> {
+        let items = self.environment.items;
+        let is_program = items.code.get(&block).is_some_and(|code| code.block.kind == ast::BlockKind::Program);
+        let mut all = items.programs.iter().filter(|one| is_program && one.block == block);
+        all.next().filter(|_| all.next().is_none()).map(|only| BlockId::db(only.instance))
     }
 
     fn provided(&self, block: &Provided) -> Option<BlockId> {
@@ -398,20 +416,26 @@ impl Names for BlockNames<'_, '_> {
     }
 
     fn access_of(&self, block: BlockId, variable: &str) -> Option<(BlockId, Option<ast::Access>)> {
-        let items = self.environment.items;
-        let mut owner = Some(block);
-        while let Some((block, code)) = owner.and_then(|owner| Some((owner, items.code.get(&owner)?))) {
-            self.environment.ask(block);
-            let declares = |section: &&ast::VarSection| {
-                section.declarations.iter().any(|declaration| declaration.names.iter().any(|declared| declared.name.is(variable)))
-            };
-            if let Some(section) = code.block.sections.iter().find(declares) {
-                let all = [ast::Access::Public, ast::Access::Private, ast::Access::Protected, ast::Access::Internal];
-                return Some((block, all.into_iter().find(|&access| section.has(ast::Qualifier::Access(access)))));
-            }
-            owner = items.objects.get(block).and_then(|object| object.base);
-        }
-        None
+        let (block, section) = self.section_of(block, variable)?;
+        let all = [ast::Access::Public, ast::Access::Private, ast::Access::Protected, ast::Access::Internal];
+        Some((block, all.into_iter().find(|&access| section.has(ast::Qualifier::Access(access)))))
+    }
+
+    fn constant_of(&self, block: BlockId, name: &str) -> Option<Entity> {
+        let found = self.environment.declared(block)?.names.get(&key(name))?;
+        let found = Some(found).filter(|found| matches!(found, Entity::Constant(_)))?;
+        // The value belongs to no interface that could be compared with that of before.
+        self.environment.questions.borrow_mut().names = true;
+        Some(found.clone())
+    }
+
+    fn is_read_only(&self, block: BlockId, variable: &str) -> bool {
+        let section = self.section_of(block, variable);
+        let read_only =
+            section.is_some_and(|(_, section)| section.kind == ast::SectionKind::InOut && section.has(ast::Qualifier::Constant));
+        // No interface says so that could be compared with that of before.
+        self.environment.questions.borrow_mut().names |= read_only;
+        read_only
     }
 
     fn is_broken(&self, block: BlockId) -> bool {
@@ -433,9 +457,7 @@ impl Names for BlockNames<'_, '_> {
 
     fn has_initial(&self, block: BlockId, variable: &str) -> bool {
         self.environment.ask(block);
-        let Some(code) = self.environment.items.code.get(&block) else { return false };
-        let mut declarations = code.block.sections.iter().flat_map(|section| &section.declarations);
-        declarations.any(|one| one.initial.is_some() && one.names.iter().any(|declared| declared.name.is(variable)))
+        self.environment.items.own_declaration(block, variable).is_some_and(|found| found.declaration.initial.is_some())
     }
 
     fn knows_instances(&self) -> bool {
@@ -449,6 +471,17 @@ impl Names for BlockNames<'_, '_> {
 }
 
 impl<'e, 'a> BlockNames<'e, 'a> {
+    /// The section that declares a variable of a block, with the block, which may be one that it extends.
+    fn section_of(&self, block: BlockId, variable: &str) -> Option<(BlockId, &'a ast::VarSection)> {
+        for block in self.environment.items.line(block) {
+            self.environment.ask(block);
+            if let Some(found) = self.environment.items.own_declaration(block, variable) {
+                return Some((block, found.section));
+            }
+        }
+        None
+    }
+
     /// What names mean outside all blocks, to statements that no source writes.
     pub(super) fn outside(environment: &'e Environment<'a>, declared: &'e Declared, block: BlockId, dialect: Dialect) -> Self {
         Self { environment, declared, owner: None, this: None, dialect, block, space: OUTSIDE, list: None }
@@ -503,6 +536,11 @@ impl<'e, 'a> BlockNames<'e, 'a> {
     pub(super) fn starting_statements(&self, span: Span) -> Vec<Statement> {
         let mut all = self.edges(span);
         all.extend(self.first_call(span));
+        all.extend(self.declared.begin_again.iter().map(|(variable, whole)| {
+            let place = |variable: &Variable| Place { base: variable.base.clone(), offset: variable.offset, indexes: Vec::new(), span };
+            let bytes = u32::try_from(variable.data_type.bits().div_ceil(8)).unwrap_or(u32::MAX);
+            Statement { kind: StatementKind::Copy { target: place(variable), source: place(whole), bytes }, span }
+        }));
         let starting = self.declared.result.iter().chain(&self.declared.outputs);
         let one = |(variable, initial): &(Variable, Vec<Value>)| self::starting(variable, initial, span);
         all.extend(starting.flat_map(one));

@@ -12,7 +12,7 @@ use crate::scope::did_you_mean;
 use crate::st::ast::DateAndTimeForm;
 use crate::st::ast::{Expression, ExpressionKind, Initializer, InitializerKind, LiteralKind};
 use crate::st::check::names::Constant;
-use crate::st::dialect::{Construct, Dialect};
+use crate::st::dialect::{Construct, Dialect, Judgement};
 use crate::st::dtl;
 
 /// Days from 1970-01-01 to 1990-01-01, where the calendar of the S7 begins.
@@ -186,6 +186,7 @@ pub(crate) fn bytes(data_type: &DataType, initial: &[Value]) -> Vec<u8> {
 impl Resolver<'_, '_> {
     /// The constant in the form of the type; `None` if it does not fit, which is reported.
     pub(super) fn converted(&mut self, constant: Constant, data_type: &DataType, span: Span) -> Option<LiteralKind> {
+        let constant = self.wrapped(&constant, data_type, span).unwrap_or(constant);
         self.fitting(&constant, data_type, span)?;
         Some(match (data_type, constant.value) {
             (DataType::Real | DataType::LongReal, LiteralKind::Integer { value, .. }) => {
@@ -201,14 +202,34 @@ impl Resolver<'_, '_> {
         })
     }
 
+    /// A negative number as the pattern of bits of a type without a sign, where the dialect takes it for one; that is said.
+    fn wrapped(&mut self, constant: &Constant, data_type: &DataType, span: Span) -> Option<Constant> {
+        let LiteralKind::Integer { value, radix } = constant.value else { return None };
+        let unsigned =
+            range(data_type).is_some_and(|(low, _)| low == 0) && !matches!(data_type, DataType::Subrange(_) | DataType::Enumeration(_));
+        let bits = data_type.bits();
+        if !unsigned || self.dialect.judge(Construct::PointerTo) != Judgement::Accept || !(-(1_i128 << (bits - 1))..0).contains(&value) {
+            return None;
+        }
+        let wrapped = value + (1_i128 << bits);
+        let message = format!("{} has no negative values: {value} is {wrapped} here", self.dialect.type_words(data_type));
+        self.report(Problem::P6201, span, message);
+        Some(Constant { value: LiteralKind::Integer { value: wrapped, radix }, data_type: constant.data_type.clone() })
+    }
+
     /// The value that a constant is for a variable; `None` if it does not fit, which is reported.
     pub(super) fn fitting(&mut self, constant: &Constant, data_type: &DataType, span: Span) -> Option<Value> {
+        let wrapped = self.wrapped(constant, data_type, span);
+        let constant = wrapped.as_ref().unwrap_or(constant);
         // An enumeration takes its own values only.
         let other = match (&constant.data_type, data_type) {
             (Some(DataType::Enumeration(a)), DataType::Enumeration(b)) => a != b,
-            (_, DataType::Enumeration(_)) => self.dialect.judge(Construct::DecimalToBitString) != crate::st::dialect::Judgement::Accept,
+            (_, DataType::Enumeration(_)) => self.dialect.judge(Construct::DecimalToBitString) != Judgement::Accept,
             _ => false,
         };
+        if let (DataType::WideString(_), LiteralKind::Characters(_), None) = (data_type, &constant.value, &constant.data_type) {
+            self.judge(Construct::NarrowInitial, span);
+        }
         match value_of(&constant.value, data_type, self.dialect) {
             Ok(value) if !other => {
                 self.judge_notation(constant, data_type, span);

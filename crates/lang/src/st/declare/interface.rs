@@ -14,7 +14,7 @@ use sieben_model::types::{DataType, Field, Structure, place};
 use super::access::{OpenAddress, open_type};
 use super::initial::bytes;
 use super::items::{Code, INITIAL_CALL, Items};
-use super::types::{Resolver, holds_instance};
+use super::types::Resolver;
 use super::{Declared, Located, Types, WatchedEdge, ast, globals};
 use crate::declarations::BLOCK_BYTES_MAX;
 use crate::declarations::interface::{Declared as Unplaced, is_complex, lay_out, lay_out_behind};
@@ -28,6 +28,9 @@ use crate::st::objects::TYPE_NUMBER;
 use crate::st::open_arrays::{bound_names, is_open};
 use crate::st::tree::{Base, Local};
 use crate::st::variants::{Told, is_variant, told_name};
+
+/// What stands behind the name of an instance that does not last in the name of what it begins with.
+pub(super) const INITIAL: &str = "__INITIAL";
 
 /// What remembers that an organization block was called since the restart.
 const CALLED: &str = "__CALLED";
@@ -77,8 +80,10 @@ pub(crate) fn interface_of<'a>(types: &mut Types<'a>, items: &'a Items<'a>, id: 
         edges: Vec::new(),
         places: HashMap::new(),
         twice: Vec::new(),
+        begin_again: Vec::new(),
         partial: false,
     };
+    sections.resolver.own = Some(id);
     let base = sections.base(id);
     sections.owner(code);
     sections.constants(code);
@@ -88,7 +93,7 @@ pub(crate) fn interface_of<'a>(types: &mut Types<'a>, items: &'a Items<'a>, id: 
     if id.kind == BlockKind::Function {
         sections.result(code);
     }
-    let Sections { resolver, pending, views, located, inherited, inherited_edges, edges, twice, partial, .. } = sections;
+    let Sections { resolver, pending, views, located, inherited, inherited_edges, edges, twice, begin_again, partial, .. } = sections;
     let is_of_library = items.is_of_library(id);
     let unplaced = pending.iter().enumerate().filter_map(|(index, one)| {
         let unplaced = one.unplaced()?;
@@ -161,6 +166,14 @@ pub(crate) fn interface_of<'a>(types: &mut Types<'a>, items: &'a Items<'a>, id: 
         let seen = Variable { name: input.name.clone(), role: Role::Input, span: input.span, ..now };
         declared.names.insert(key(&input.name), Entity::Variable(seen.clone()));
         declared.edges.push(WatchedEdge { input, was, now: seen, edge });
+    }
+    for (name, whole) in begin_again {
+        // What the instance begins with has no name in the statements.
+        let whole = declared.names.remove(&key(&whole));
+        declared.variables.retain(|one| one.name != format!("{name}{INITIAL}"));
+        if let (Some(Entity::Variable(variable)), Some(Entity::Variable(whole))) = (declared.names.get(&key(&name)), whole) {
+            declared.begin_again.push((variable.clone(), whole));
+        }
     }
     let variable = |name: &str| match declared.names.get(&key(name)) {
         Some(Entity::Variable(variable)) if id.kind == BlockKind::OrganizationBlock => Some(variable.clone()),
@@ -318,6 +331,8 @@ struct Sections<'t, 'a> {
     places: HashMap<String, Span>,
     /// Names that are declared twice.
     twice: Vec<ast::Name>,
+    /// Instances that do not last, with the variables that hold what they begin with at each call.
+    begin_again: Vec<(String, String)>,
     /// Whether a declaration was not understood, which may have been said when it was read.
     partial: bool,
 }
@@ -501,6 +516,16 @@ impl<'a> Sections<'_, 'a> {
             }
             return;
         };
+        // Statics would need a data block, which an organization block has not.
+        if self.id.kind == BlockKind::OrganizationBlock
+            && section.kind == ast::SectionKind::Var
+            && role == Role::Temp
+            && self.resolver.dialect.switches().numbered_blocks
+        {
+            let span = Span { end: section.span.start + 3, ..section.span };
+            let message = "`VAR` of an organization block lasts for one call, and begins on the start information";
+            self.resolver.report(Problem::P6332, span, message);
+        }
         let known = self.pending.len();
         for declaration in variables {
             self.declaration(declaration, store, role, section.has(ast::Qualifier::Retain));
@@ -558,6 +583,10 @@ impl<'a> Sections<'_, 'a> {
             return self.unknown(declaration);
         }
         let role = if read_only { Role::Constant } else { role };
+        let (store, begins_again) = match self.local_instance(&data_type, store) {
+            Some(store) => (store, true),
+            None => (store, false),
+        };
         if let Some((problem, why)) = misplaced(&data_type, store) {
             let message = format!("{} may not stand here: {why}", self.resolver.dialect.type_words(&data_type));
             self.resolver.report(problem, declaration.data_type.span, message);
@@ -573,7 +602,8 @@ impl<'a> Sections<'_, 'a> {
             self.resolver.report(Problem::P4009, declaration.span, message);
             return self.unknown(declaration);
         }
-        let lasts = self.id.kind == BlockKind::FunctionBlock && store == Store::Interface(Section::Static);
+        let of_instance = matches!(store, Store::Interface(Section::Static | Section::Input | Section::Output));
+        let lasts = self.id.kind == BlockKind::FunctionBlock && of_instance;
         self.resolver.later = self.resolver.begins_later(lasts && declaration.location.is_none());
         let initial = match &declaration.initial {
             Some(initializer) if store == Store::Interface(Section::InOut) => {
@@ -659,8 +689,22 @@ impl<'a> Sections<'_, 'a> {
                     // The caller tells the bounds of an ARRAY[*], and what a VARIANT is.
                     let bounds = bound_names(&name.text, &data_type).into_iter().map(|bound| (bound, DataType::DoubleInt));
                     let is_parameter = matches!(store, Store::Interface(Section::Input | Section::Output | Section::InOut));
-                    let variant = is_parameter && is_variant(&declaration.data_type) && self.resolver.has_variants();
+                    let variant = is_variant(&declaration.data_type) && self.resolver.has_variants();
+                    let variant = is_parameter && (variant || data_type == DataType::Any && self.resolver.dialect.has_pointers());
                     let told = Told::BOTH.into_iter().filter(|_| variant).map(|told| (told_name(&name.text, told), told.data_type()));
+                    if begins_again {
+                        let whole = format!("{}{INITIAL}", name.text);
+                        self.begin_again.push((name.text.clone(), whole.clone()));
+                        self.pending.push(Pending {
+                            name: whole,
+                            store,
+                            role: Role::Static,
+                            data_type: data_type.clone(),
+                            initial: initial.clone(),
+                            comment: String::new(),
+                            span: name.span,
+                        });
+                    }
                     for (name_inside, data_type) in bounds.chain(told) {
                         self.pending.push(Pending {
                             name: name_inside,
@@ -683,6 +727,20 @@ impl<'a> Sections<'_, 'a> {
                     });
                 }
             }
+        }
+    }
+
+    /// Where an instance lies that does not last: what calls it and its data stay where an instance can be called, and each call of the
+    /// block begins with it as it is declared. `None` for all else.
+    fn local_instance(&self, data_type: &DataType, store: Store) -> Option<Store> {
+        let accepts = self.resolver.dialect.has_local_instances();
+        if store != Store::Interface(Section::Temp) || !accepts || !data_type.holds_instance() {
+            return None;
+        }
+        match self.id.kind {
+            BlockKind::FunctionBlock => Some(Store::Interface(Section::Static)),
+            BlockKind::Function if self.resolver.items.kept.contains_key(&self.id) => Some(Store::Kept),
+            _ => None,
         }
     }
 
@@ -733,7 +791,8 @@ impl<'a> Sections<'_, 'a> {
         if data_type == DataType::Void {
             return;
         }
-        if holds_instance(&data_type) || data_type.is_number() {
+        let instance = data_type.holds_instance() && !self.resolver.dialect.has_local_instances();
+        if instance || data_type.is_number() {
             let message = format!("a function cannot have {} as its result", self.resolver.dialect.type_words(&data_type));
             self.resolver.report(Problem::P4009, written.span, message);
             return;
@@ -781,7 +840,7 @@ fn misplaced(data_type: &DataType, store: Store) -> Option<(Problem, &'static st
             (Problem::P4009, "it is only for parameters (VAR_INPUT, VAR_OUTPUT, VAR_IN_OUT)")
         }
         DataType::Any if !parameter && !local => (Problem::P4009, "it is only for parameters and VAR_TEMP"),
-        other if local && holds_instance(other) => {
+        other if local && other.holds_instance() => {
             (Problem::P6132, "an instance keeps its data from one call to the next, and these variables do not last")
         }
         _ => return None,

@@ -254,6 +254,7 @@ pub(crate) fn collect<'a>(
         collector.space(&file.file.items, file.dialect);
     }
     collector.configured_instances();
+    collector.local_instances();
     let Collector { mut items, pending, usings, diagnostics: mut found, .. } = collector;
     for path in usings {
         if !items.namespaces.contains(&key(&joined(path))) {
@@ -322,7 +323,7 @@ pub(super) fn joined(path: &ast::Path) -> String {
 }
 
 /// What stands behind the name of a function in the name of the data block that keeps its static variables.
-const KEPT: &str = ".static";
+pub(super) const KEPT: &str = ".static";
 /// The name of statements outside any block.
 const IMPLICIT: &str = "MAIN";
 
@@ -507,6 +508,13 @@ impl<'a> Collector<'a, '_> {
                 }
                 ast::Item::Using(_) => {}
                 ast::Item::Configuration(configuration) => {
+                    let name = &configuration.name;
+                    let same = |(other, _): &&(&ast::Configuration, Dialect)| other.name.is(&name.text);
+                    if let Some((first, _)) = self.items.configurations.iter().find(same).filter(|_| !name.text.is_empty()) {
+                        let message = format!("`{}` is declared twice", name.text);
+                        let first = first.name.span;
+                        self.diagnostics.push(Diagnostic::new(Problem::P3006, name.span, message).related(first, "first declared here"));
+                    }
                     self.items.configurations.push((configuration, dialect));
                     let sections = configuration.sections.iter();
                     for section in sections.chain(configuration.resources.iter().flat_map(|resource| &resource.sections)) {
@@ -640,6 +648,11 @@ impl<'a> Collector<'a, '_> {
             return;
         }
         let full = format!("{}{}", self.namespace, name.text);
+        if name.quoting == ast::Quoting::Bare && crate::st::standard::type_of_word(&name.text, dialect).is_some() {
+            let message = format!("`{}` is a type of {} and cannot be the name of another one", name.text, dialect.title());
+            self.diagnostics.push(Diagnostic::new(Problem::P6060, name.span, message));
+            return;
+        }
         if !self.declare(Space::Block, &full, name.span) {
             return;
         }

@@ -4,8 +4,8 @@
 //! `F.P.SET`. An INTERFACE becomes a block that has methods without statements.
 
 use crate::st::ast::{
-    Accessor, Action, Block, BlockKind, Declaration, DeclaredName, File, Interface, Item, Member, MemberKind, Method, Name, Property,
-    Quoting, SectionKind, VarSection,
+    Accessor, Action, Block, BlockKind, Declaration, DeclaredName, Expression, ExpressionKind, File, Interface, Item, Location, Member,
+    MemberKind, Method, Name, Property, Quoting, SectionKind, VarSection,
 };
 
 /// The file with its methods and properties behind the blocks that they belong to.
@@ -49,6 +49,13 @@ fn of_interface(interface: Interface) -> Block {
 
 /// A block, then what belongs to it.
 fn owner(mut block: Block, expanded: &mut Vec<Item>) {
+    if block.kind == BlockKind::Program {
+        let (access, own) = std::mem::take(&mut block.sections).into_iter().partition(|section| section.kind == SectionKind::Access);
+        block.sections = own;
+        for section in access {
+            expanded.push(Item::Globals(of_program(section, &block.name)));
+        }
+    }
     let (methods, properties) = (std::mem::take(&mut block.methods), std::mem::take(&mut block.properties));
     let mut members = Vec::new();
     for method in methods {
@@ -61,6 +68,32 @@ fn owner(mut block: Block, expanded: &mut Vec<Item>) {
     members.extend(of_actions(&block));
     expanded.push(Item::Block(Box::new(block)));
     expanded.extend(members.into_iter().map(|member| Item::Block(Box::new(member))));
+}
+
+/// VAR_ACCESS of a PROGRAM: its paths begin in the program.
+fn of_program(mut section: VarSection, program: &Name) -> VarSection {
+    for declaration in &mut section.declarations {
+        if let Some(Location::Path(path)) = &mut declaration.location {
+            begin_with(path, program);
+        }
+    }
+    section
+}
+
+/// Writes a name before the first one of a path.
+fn begin_with(path: &mut Expression, name: &Name) {
+    match &mut path.kind {
+        ExpressionKind::Member(inner, _)
+        | ExpressionKind::Index(inner, _)
+        | ExpressionKind::Slice(inner, _)
+        | ExpressionKind::Dereference(inner) => begin_with(inner, name),
+        ExpressionKind::Name(first) => {
+            let first = std::mem::take(first);
+            let program = Expression { kind: ExpressionKind::Name(Name { span: path.span, ..name.clone() }), span: path.span };
+            path.kind = ExpressionKind::Member(Box::new(program), first);
+        }
+        _ => {}
+    }
 }
 
 /// VAR_INST: the variables go to the instance, under a name that no other one has there.
@@ -98,7 +131,9 @@ fn of_method(method: Method, owner: &Block, kept: Vec<(Name, String)>) -> Block 
 
 /// Actions as methods, for calls from outside: `inst.Reset();`. What uses VAR_TEMP of the block has no method.
 fn of_actions(block: &Block) -> Vec<Block> {
-    if block.kind != BlockKind::FunctionBlock || block.sections.iter().any(|section| section.kind == SectionKind::Temp) {
+    if !matches!(block.kind, BlockKind::FunctionBlock | BlockKind::Program)
+        || block.sections.iter().any(|section| section.kind == SectionKind::Temp)
+    {
         return Vec::new();
     }
     let method = |action: &Action| {

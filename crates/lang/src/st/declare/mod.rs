@@ -10,6 +10,7 @@ mod configured;
 mod constants;
 mod constructors;
 mod data;
+mod declaring;
 mod environment;
 mod globals;
 pub(crate) mod initial;
@@ -23,6 +24,7 @@ mod object_rules;
 mod objects;
 mod program_names;
 mod programs;
+mod sizes;
 mod tests;
 mod types;
 
@@ -106,6 +108,8 @@ pub(crate) struct Declared {
     pub(crate) edges: Vec<WatchedEdge>,
     /// The input of an organization block that tells of its first call, and what remembers that it was called.
     pub(crate) first_call: Option<(Variable, Variable)>,
+    /// Instances that do not last, with what they begin with at each call.
+    pub(crate) begin_again: Vec<(Variable, Variable)>,
     /// Something was wrong with a declaration, so that its statements cannot be understood whole.
     pub(crate) broken: bool,
     /// The name itself is missing in a declaration: a name that means something outside may be the lost one.

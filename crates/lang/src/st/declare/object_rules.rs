@@ -2,7 +2,7 @@
 
 use sieben_model::block::BlockId;
 use sieben_model::diagnostic::Diagnostic;
-use sieben_model::interface::Interface;
+use sieben_model::interface::{Interface, Section, Variable};
 use sieben_model::problems::Problem;
 use sieben_model::source::Span;
 
@@ -113,9 +113,10 @@ impl Environment<'_> {
             }
         }
         for other in overridden {
-            let public = other.access == Access::Public && member.access == Access::Public;
-            if self.items.objects.is_interface(other.of) && !public {
-                let message = format!("{} stands for that of `{}` and has to be PUBLIC", shown(member), self.shown(other.of));
+            let as_asked = member.access == other.access || member.access == Access::Public;
+            if self.items.objects.is_interface(other.of) && !as_asked {
+                let word = if other.access == Access::Internal { "INTERNAL" } else { "PUBLIC" };
+                let message = format!("{} stands for that of `{}` and has to be {word}", shown(member), self.shown(other.of));
                 diagnostics.push(Diagnostic::new(Problem::P6283, member.span, message).related(other.span, "asked for here"));
             }
             let (Some(own), Some(asked)) = (self.interface_of(member.function), self.interface_of(other.function)) else { continue };
@@ -158,16 +159,33 @@ fn difference(own: &Interface, asked: &Interface) -> Option<String> {
     loop {
         let (one, other) = match (ours.next(), theirs.next()) {
             (None, None) => return None,
-            (Some(one), None) => return Some(format!("it has `{}` in addition", one.name)),
-            (None, Some(other)) => return Some(format!("it lacks `{}`", other.name)),
+            (Some(one), None) => return Some(format!("it has {} in addition", parameter(one))),
+            (None, Some(other)) => return Some(format!("it lacks {}", parameter(other))),
             (Some(one), Some(other)) => (one, other),
         };
+        // The result is the last of them.
+        match (one.section == Section::Return, other.section == Section::Return) {
+            (true, false) => return Some(format!("it lacks {}", parameter(other))),
+            (false, true) => return Some(format!("it has {} in addition", parameter(one))),
+            _ => {}
+        }
         if !one.name.eq_ignore_ascii_case(&other.name) || one.section != other.section {
             return Some(format!("`{}` stands where the other one has `{}`", one.name, other.name));
         }
         if one.data_type != other.data_type {
-            let what = if one.name == "RET_VAL" { "its result".to_owned() } else { format!("`{}`", one.name) };
+            let what = if one.section == Section::Return { "its result".to_owned() } else { format!("`{}`", one.name) };
             return Some(format!("{what} is {} and not {}", one.data_type, other.data_type));
         }
+    }
+}
+
+/// A parameter or the result, as messages name it.
+fn parameter(one: &Variable) -> String {
+    match one.section {
+        Section::Input => format!("the input `{}`", one.name),
+        Section::Output => format!("the output `{}`", one.name),
+        Section::InOut => format!("the VAR_IN_OUT `{}`", one.name),
+        Section::Return => "a result".to_owned(),
+        _ => format!("`{}`", one.name),
     }
 }

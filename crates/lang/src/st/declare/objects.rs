@@ -82,7 +82,7 @@ fn object(
     };
     // `__SYSTEM.IQueryInterface` of codesys has what every interface has here.
     let of_system = |path: &ast::Path| joined(path).eq_ignore_ascii_case("__SYSTEM.IQueryInterface");
-    let of_system = |path: &ast::Path| interface && of_system(path) && code.dialect.judge(Construct::PointerTo) != Judgement::Reject;
+    let of_system = |path: &ast::Path| interface && of_system(path) && code.dialect.has_pointers();
     for (index, path) in block.extends.iter().enumerate().filter(|(_, path)| !of_system(path)) {
         let found = match of_library(items, code, path) {
             Some((demand, found)) => {

@@ -1,14 +1,18 @@
 //! Organization blocks that call the programs of a project.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
-use sieben_model::block::BlockId;
+use sieben_model::block::{BlockId, BlockKind};
 use sieben_model::diagnostic::Diagnostic;
 use sieben_model::problems::Problem;
 
 use super::items::{Items, Program};
 use crate::scope::key;
+use crate::st::objects::MemberKey;
 use crate::st::tree::{Base, Body, Call, Callee, Place, Statement, StatementKind};
+
+/// What each block calls.
+type Calls = BTreeMap<BlockId, BTreeSet<BlockId>>;
 
 /// An organization block that no source writes.
 #[derive(Clone, Debug)]
@@ -21,6 +25,7 @@ pub(crate) struct Generated {
 /// The organization block that runs the programs where no CONFIGURATION says what does: OB 1, unless a source writes it.
 pub(crate) fn organization_blocks(
     items: &Items<'_>,
+    calls: &Calls,
     exists: &dyn Fn(BlockId) -> bool,
     diagnostics: &mut Vec<Diagnostic>,
 ) -> BTreeMap<BlockId, Generated> {
@@ -36,14 +41,52 @@ pub(crate) fn organization_blocks(
         }
         return generated;
     }
-    // Of several programs of CODESYS only PLC_PRG runs by itself.
+    // Of several programs of CODESYS only PLC_PRG runs by itself; those that others call run when they are called.
     let default = items.programs.iter().find(|program| key(&program.of) == "plc_prg");
+    let running = running(items, calls);
     for program in &items.programs {
-        if default.is_none_or(|default| default.block == program.block) {
+        if default.map_or(running.contains(&program.block), |default| default.block == program.block) {
             add(&mut generated, main, program);
         }
     }
     generated
+}
+
+/// The programs that run by themselves: what calls one of them, through whatever blocks, is called by it, too.
+fn running(items: &Items<'_>, calls: &Calls) -> BTreeSet<BlockId> {
+    let programs: BTreeSet<BlockId> = items.programs.iter().map(|program| program.block).collect();
+    let organization_blocks = items.code.keys().copied().filter(|block| block.kind == BlockKind::OrganizationBlock);
+    let mut alike: BTreeMap<_, Vec<BlockId>> = BTreeMap::new();
+    for (name, member) in items.objects.iter().flat_map(|(_, object)| &object.members) {
+        alike.entry(name).or_default().push(member.function);
+    }
+    let callers = programs.iter().copied().chain(organization_blocks);
+    let reached: BTreeMap<BlockId, BTreeSet<BlockId>> =
+        callers.map(|caller| (caller, reached(caller, items, calls, &alike).intersection(&programs).copied().collect())).collect();
+    let runs = |program: &BlockId| {
+        let mut by = reached.iter().filter(|(_, called)| called.contains(program));
+        by.all(|(caller, _)| caller == program || reached[program].contains(caller))
+    };
+    programs.iter().copied().filter(runs).collect()
+}
+
+/// All that a block calls, and what that calls.
+fn reached(block: BlockId, items: &Items<'_>, calls: &Calls, alike: &BTreeMap<&MemberKey, Vec<BlockId>>) -> BTreeSet<BlockId> {
+    let (mut reached, mut open) = (BTreeSet::new(), vec![block]);
+    while let Some(caller) = open.pop() {
+        let mut see = |called: BlockId| {
+            if reached.insert(called) {
+                open.push(called);
+            }
+        };
+        calls.get(&caller).into_iter().flatten().copied().for_each(&mut see);
+        // A call by a base or an interface may reach each block below, and each member of that name.
+        items.objects.concrete(caller).for_each(&mut see);
+        if let Some(member) = items.code.get(&caller).and_then(|code| code.block.member.as_ref()) {
+            alike.get(&(key(&member.name.text), member.kind)).into_iter().flatten().copied().for_each(&mut see);
+        }
+    }
+    reached
 }
 
 /// Lets an organization block call a program.

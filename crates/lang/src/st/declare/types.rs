@@ -24,7 +24,7 @@ use crate::st::open_arrays::OPEN;
 use crate::st::standard::Provided;
 use crate::st::standard::library::block_type;
 use crate::st::variants;
-use crate::st::{dtl, error_struct, points};
+use crate::st::{dtl, error_struct, points, type_class};
 
 /// Function blocks that every dialect has as types of instances.
 const BLOCKS_OF_ALL_DIALECTS: [&str; 6] = ["TP", "TON", "TOF", "CTU", "CTD", "CTUD"];
@@ -74,10 +74,16 @@ pub(super) struct Resolver<'t, 'a> {
     pub(super) open_arrays: bool,
     /// Whether the array that comes next is what a pointer points to.
     pub(super) behind_pointer: bool,
+    /// Whether the type that comes next is only pointed to.
+    pub(super) behind_reference: bool,
     /// Whether the variable that comes next lasts, so that a restart can write what it begins with.
     pub(super) later: bool,
     /// The list of global variables that is laid out: it knows its own names.
     pub(super) list: Option<&'a str>,
+    /// The block whose declarations these are.
+    pub(super) own: Option<BlockId>,
+    /// Declarations whose sizes are being looked for.
+    pub(super) sized: Vec<Span>,
     /// What of the variable begins with an address.
     pub(super) addresses: Vec<InitialAddress>,
 }
@@ -120,8 +126,11 @@ impl<'t, 'a> Resolver<'t, 'a> {
             constant_declarations,
             open_arrays: false,
             behind_pointer: false,
+            behind_reference: false,
             later: false,
             list: None,
+            own: None,
+            sized: Vec::new(),
             addresses: Vec::new(),
         }
     }
@@ -170,11 +179,13 @@ impl<'t, 'a> Resolver<'t, 'a> {
             // Words of the S7 that elsewhere are names like others.
             Some(data_type) if data_type.is_number() && !self.dialect.switches().numbered_blocks => return None,
             Some(data_type) => data_type,
-            None if self.dialect.judge(Construct::PointerTo) != Judgement::Reject
+            None if self.dialect.has_pointers()
                 && let Some((_, data_type)) = POINTER_SIZED.iter().find(|(name, _)| name.eq_ignore_ascii_case(word)) =>
             {
                 data_type.clone()
             }
+            None if self.dialect.has_pointers() && type_class::ANY_WORDS.iter().any(|any| any.eq_ignore_ascii_case(word)) => DataType::Any,
+            None if self.dialect.has_pointers() && word.eq_ignore_ascii_case(type_class::WORD) => type_class::data_type(),
             None if word.eq_ignore_ascii_case("BIT") => DataType::Bool,
             None if word.eq_ignore_ascii_case(variants::WORD) => DataType::Any,
             None if word.eq_ignore_ascii_case(dtl::WORD) && self.dialect.judge(Construct::PeekPoke) == Judgement::Accept => {
@@ -314,12 +325,17 @@ impl<'t, 'a> Resolver<'t, 'a> {
         self.behind_pointer = matches!(target.kind, TypeKind::Array { .. });
         let target = match &target.kind {
             TypeKind::Named(path) if let Some(unfinished) = self.unfinished(path) => unfinished,
-            _ => self.data_type(target)?,
+            _ => {
+                self.behind_reference = true;
+                let target = self.data_type(target);
+                self.behind_reference = false;
+                target?
+            }
         };
         Some((DataType::Reference(Arc::new(Reference { target, kind })), Vec::new()))
     }
 
-    /// A structure or a function block that is being declared, by its name alone: what points to it may be a part of it.
+    /// A function block, or a structure that is being declared, by its name alone: what points to it may be a part of it.
     fn unfinished(&self, path: &ast::Path) -> Option<DataType> {
         let words: Vec<&str> = path.names.iter().map(|name| name.text.as_str()).collect();
         let full_name = words.join(".");
@@ -332,8 +348,10 @@ impl<'t, 'a> Resolver<'t, 'a> {
             return (is_structure && begun).then(|| DataType::Struct(Arc::new(structure)));
         }
         let block = self.items.block_in(self.space, &full_name)?;
-        (block.kind == BlockKind::FunctionBlock && self.types.is_begun(block))
-            .then(|| DataType::Instance { block, structure: Arc::new(Structure::default()) })
+        let own = block.kind == BlockKind::FunctionBlock && self.items.code.contains_key(&block);
+        let is_plain = own && !self.items.objects.is_interface(block) && !self.items.is_twice(self.space, &full_name);
+        let name = self.items.names.get(&block).cloned();
+        is_plain.then(|| DataType::Instance { block, structure: Arc::new(Structure { name, ..Structure::default() }) })
     }
 
     /// The type of a name: a word, a block by number, a type or a function block of the project, a symbol.
@@ -357,6 +375,11 @@ impl<'t, 'a> Resolver<'t, 'a> {
             }
         } else if path.names.is_empty() {
             return None;
+        } else if let ([system, name], true) = (path.names.as_slice(), self.dialect.has_pointers())
+            && system.is(type_class::SYSTEM)
+            && name.is(type_class::WORD)
+        {
+            return plain(type_class::data_type());
         }
         let words: Vec<&str> = path.names.iter().map(|name| name.text.as_str()).collect();
         let full_name = words.join(".");
@@ -376,6 +399,12 @@ impl<'t, 'a> Resolver<'t, 'a> {
         let own = spellings.iter().find_map(|full| items.blocks.get(full)).or_else(|| items.blocks.get(&key(last))).copied();
         let block = own.or_else(|| self.types.scope.own_block(last));
         if let Some(id) = block {
+            if items.code.get(&id).is_some_and(|code| code.block.kind == ast::BlockKind::Program) {
+                let message = format!("`{full_name}` is a PROGRAM, and only a CONFIGURATION makes instances of one");
+                self.report(Problem::P3015, span, message).help =
+                    Some(format!("Write `FUNCTION_BLOCK {full_name}` if it is to have instances."));
+                return None;
+            }
             let target = self.types.type_of_block(id, span)?;
             // A variable of an interface refers to an instance of a block that implements it.
             return plain(match items.objects.is_interface(id) {
@@ -573,7 +602,12 @@ impl<'t, 'a> Resolver<'t, 'a> {
     fn array(&mut self, dimensions: &[Dimension], element: &TypeSpec, span: Span) -> Option<DataType> {
         let open = std::mem::take(&mut self.open_arrays);
         let behind_pointer = std::mem::take(&mut self.behind_pointer);
-        let element = self.data_type(element);
+        // What an array consists of that is only pointed to, is known by its name.
+        let by_name = match &element.kind {
+            TypeKind::Named(path) if self.behind_reference => self.unfinished(path),
+            _ => None,
+        };
+        let element = by_name.or_else(|| self.data_type(element));
         if dimensions.is_empty() || dimensions.len() > DIMENSIONS_MAX {
             let message = format!("an array has 1 to {DIMENSIONS_MAX} dimensions, not {}", dimensions.len());
             self.report(Problem::P4004, span, message);
@@ -649,7 +683,8 @@ impl<'t, 'a> Resolver<'t, 'a> {
         let mut cursor = 0;
         if let Some(base) = base {
             structure.fields.clone_from(&base.fields);
-            cursor = u64::from(base.size) * 8;
+            // The bytes of an empty base are its own alone.
+            cursor = if base.fields.is_empty() { 0 } else { u64::from(base.size) * 8 };
         }
         let mut names: HashSet<String> = structure.fields.iter().map(|field| key(&field.name)).collect();
         let mut whole = true;
@@ -683,6 +718,13 @@ impl<'t, 'a> Resolver<'t, 'a> {
                             continue;
                         }
                     }
+                }
+                // A field that is linked to an input or output where the controller is configured.
+                Some(ast::Location::Address(address))
+                    if address.position == ast::Position::Open && self.dialect.switches().unlinked_is_memory =>
+                {
+                    self.is_memory(address.span);
+                    None
                 }
                 Some(ast::Location::Address(address)) => {
                     let message = "a field lies in its STRUCT, not in an area of the CPU";
@@ -740,7 +782,16 @@ impl<'t, 'a> Resolver<'t, 'a> {
                 });
             }
         }
-        if whole { self.types.closed(structure, end, span) } else { None }
+        if !whole {
+            return None;
+        }
+        // A base that only others give fields to.
+        if structure.fields.is_empty() && layout == FieldLayout::Sequence && self.dialect.judge(Construct::EmptyStruct) == Judgement::Accept
+        {
+            structure.size = 2;
+            return Some(Arc::new(structure));
+        }
+        self.types.closed(structure, end, span)
     }
 }
 
@@ -771,16 +822,6 @@ fn number_of(value: &Value, base: &DataType) -> Option<i128> {
     let width = base.bits();
     let number = i128::from(bits);
     Some(if low < 0 && number > high { number - (1 << width) } else { number })
-}
-
-/// Whether a variable of the type holds an instance of a function block.
-pub(super) fn holds_instance(data_type: &DataType) -> bool {
-    match data_type {
-        DataType::Instance { .. } => true,
-        DataType::Array { element, .. } => holds_instance(element),
-        DataType::Struct(structure) => structure.size > 0 && structure.fields.iter().any(|field| holds_instance(&field.data_type)),
-        _ => false,
-    }
 }
 
 /// The block that a data type is an instance of.

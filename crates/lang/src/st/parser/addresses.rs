@@ -220,8 +220,28 @@ impl Parser<'_> {
         for part in parts {
             numbers.push(part.bytes().all(|byte| byte.is_ascii_digit()).then(|| number(part))?);
         }
+        // `%QX75`: the bits are counted through.
+        if let (&[bit], AddressWidth::Bit, false) = (numbers.as_slice(), width, matches!(area, Area::Timer | Area::Counter))
+            && self.dialect.switches().bits_counted_through
+        {
+            numbers = vec![bit / 8, bit % 8];
+        }
         let address = Address { area, width, position: Position::Fixed(numbers), percent: true, written: name(first), span };
         (!digits.is_empty()).then_some(ExpressionKind::Address(address))
+    }
+
+    /// The name of a variable that has none, behind AT: its address.
+    pub(super) fn unnamed_address(&self) -> Option<Name> {
+        let token = self.tokens[self.behind(self.at)];
+        if token.raw != Raw::Percent || self.dialect.judge(Construct::LocatedAt) == Judgement::Reject {
+            return None;
+        }
+        match self.read_percent(&self.slice(token)[1..])? {
+            ExpressionKind::Address(address) => {
+                Some(Name { text: address.plain()?, quoting: Quoting::Bare, span: self.span(token.start, token.end) })
+            }
+            _ => None,
+        }
     }
 
     /// The address of AT; the current token is [`Raw::Percent`].

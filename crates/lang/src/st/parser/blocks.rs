@@ -14,7 +14,7 @@ impl Parser<'_> {
     pub(super) fn items(&mut self, end: Option<Keyword>) -> Vec<Item> {
         let mut items = Vec::new();
         loop {
-            let token = self.token();
+            let (token, at) = (self.token(), self.at);
             match token.keyword {
                 _ if token.raw == Raw::End => return items,
                 Some(keyword) if Some(keyword) == end => return items,
@@ -75,6 +75,10 @@ impl Parser<'_> {
                     Some(_) => self.block(&mut items, BlockKind::OrganizationBlock),
                     None => self.implicit(&mut items),
                 },
+            }
+            // What was taken for the lost beginning of something and is no part of it is left out.
+            if self.at == at && self.raw() != Raw::End {
+                self.bump_unexpected();
             }
         }
     }
@@ -305,6 +309,7 @@ impl Parser<'_> {
                 {
                     self.member(block, keyword)
                 }
+                _ if self.other_language(&block.body) => {}
                 _ => self.statement_into(&mut block.body),
             }
         }

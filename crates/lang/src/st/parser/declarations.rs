@@ -129,6 +129,19 @@ impl Parser<'_> {
             if let Some(construct) = construct {
                 self.judge(construct, token.start, token.end);
             }
+            let retains = |qualifier: Qualifier| matches!(qualifier, Qualifier::Retain | Qualifier::NonRetain);
+            let odd = match section.kind {
+                SectionKind::InOut | SectionKind::Temp => retains(qualifier) || qualifier == Qualifier::Constant,
+                SectionKind::Input | SectionKind::Output => qualifier == Qualifier::Constant,
+                _ => {
+                    let constant = |one: Qualifier| one == Qualifier::Constant;
+                    let other = |test: &dyn Fn(Qualifier) -> bool| section.qualifiers.iter().any(|&(one, _)| test(one));
+                    retains(qualifier) && other(&constant) || constant(qualifier) && other(&retains)
+                }
+            };
+            if odd {
+                self.judge(Construct::SectionQualifier, token.start, token.end);
+            }
             let span = self.bump(SyntaxKind::Keyword);
             section.qualifiers.push((qualifier, span));
         }
@@ -346,7 +359,13 @@ impl Parser<'_> {
                 self.bump(SyntaxKind::Punctuation);
             }
         }
-        let name = if self.at_name() {
+        let name = if matches!(place, Place::Section(_))
+            && self.at_word("AT")
+            && let Some(name) = self.unnamed_address()
+        {
+            // `AT %MW6 : WORD`: the address is declared itself.
+            name
+        } else if self.at_name() {
             self.name(SyntaxKind::Declared)
         } else if self.keyword().is_some() {
             self.declared_name("the name of a variable")?

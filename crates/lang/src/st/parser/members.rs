@@ -26,6 +26,11 @@ impl Parser<'_> {
             }
             self.bump(SyntaxKind::Keyword);
         }
+        if modifiers.is_abstract && modifiers.is_final {
+            let span = self.span(start, self.previous);
+            let help = "write one of them: what is ABSTRACT is there to be extended";
+            self.push(Diagnostic::new(Problem::P6283, span, "ABSTRACT and FINAL exclude one another").help(help));
+        }
         modifiers.span = self.span(start, self.previous.max(start));
         modifiers
     }

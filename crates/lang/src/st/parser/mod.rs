@@ -11,8 +11,10 @@ mod declarations;
 mod diagrams;
 mod expressions;
 mod header;
+mod in_one_word;
 mod lost;
 mod members;
+mod other_languages;
 mod pragmas;
 mod statements;
 mod testing;
@@ -120,6 +122,7 @@ pub fn parse(file: FileId, text: &str, dialect: Dialect) -> Parsed {
     }
     ends_without_underline(file, text, &mut tokens, dialect, &mut diagnostics);
     else_if_in_one_word(file, text, &mut tokens, &mut diagnostics);
+    in_one_word::read(file, text, &mut tokens, &mut diagnostics);
     typeset(file, text, &tokens, &mut diagnostics);
     let mut parser = Parser::new(file, text, dialect, tokens);
     parser.diagnostics = diagnostics;

@@ -285,7 +285,9 @@ impl Parser<'_> {
         if !matches!(target.kind, ExpressionKind::Call(_) | ExpressionKind::Missing) && self.raw() == Raw::Semicolon {
             let message = format!("{} alone does nothing: a call has brackets `()`, an assignment `:=`", self.previous_text());
             // Calls without brackets are told from other expressions by who knows the names.
-            if !matches!(target.kind, ExpressionKind::Name(_) | ExpressionKind::Member(..) | ExpressionKind::Dereference(_)) {
+            let element =
+                matches!(target.kind, ExpressionKind::Index(..)) && self.dialect.judge(Construct::ValueStatement) != Judgement::Reject;
+            if !element && !matches!(target.kind, ExpressionKind::Name(_) | ExpressionKind::Member(..) | ExpressionKind::Dereference(_)) {
                 self.push(Diagnostic::new(Problem::P6054, target.span, message));
                 return Some(StatementKind::Missing);
             }

@@ -4,7 +4,7 @@ use sieben_model::source::FileId;
 
 use super::super::ast::*;
 use super::super::dialect::Dialect;
-use super::{Parsed, parse};
+use super::{Parsed, fuzz, parse};
 
 fn parsed(text: &str, dialect: Dialect) -> Parsed {
     let parsed = parse(FileId::default(), text, dialect);
@@ -175,6 +175,15 @@ fn a_slip_gives_one_message_at_its_place() {
         ("f VAR_INPUT a : INT; END_VAR f := a; END_FUNCTION", "P6056 f -> FUNCTION "),
         ("TYPE t : ARRAY[1..3] OF INT := ,2; END_TYPE", "P6055 ,"),
         ("PROGRAM p .x ; END_PROGRAM", "P6054 .x"),
+        ("FUNCTIONBLOCK f\nVAR a : INT; END_VAR\na := 1;\nEND_FUNCTION_BLOCK", "P6058 FUNCTIONBLOCK -> FUNCTION_BLOCK"),
+        ("FUNCTION_BLOCK f\nVAR a : INT; END_VAR\na := 1;\nEND_FUNCTIONBLOCK", "P6058 END_FUNCTIONBLOCK -> END_FUNCTION_BLOCK"),
+        ("PROGRAM p\nVAR x : INT; END_VAR\nLD x\nADD 3\nST x\nEND_PROGRAM", "P6331 LD"),
+        ("FUNCTION_BLOCK f\nVAR t : TON; END_VAR\nagain:\nCAL t(IN := TRUE)\nJMP again\nEND_FUNCTION_BLOCK", "P6331 CAL"),
+        (
+            "FUNCTION_BLOCK f\nVAR_INPUT go : BOOL; END_VAR\nINITIAL_STEP S0:\nEND_STEP\nTRANSITION FROM S0 TO S1\n := go;\n\
+             END_TRANSITION\nSTEP S1:\n a(N);\nEND_STEP\nEND_FUNCTION_BLOCK",
+            "P6331 INITIAL_STEP",
+        ),
     ] {
         let mut found = messages(text, Dialect::Iec);
         // What is missing at the end of the text is missing in every message about it.
@@ -228,4 +237,18 @@ fn fields_of_data_blocks_may_be_called_like_areas() {
 fn blanks_of_several_bytes_do_not_split_letters() {
     assert!(!messages("x := 1\u{2000}+\u{2000}", Dialect::Iec).is_empty());
     assert!(!messages("x := a b\u{3000}c\u{a0}= IF", Dialect::Iec).is_empty());
+}
+
+#[test]
+fn a_word_that_begins_nothing_is_passed() {
+    for text in [
+        "EXTENDS\nEND_INTERFACE",
+        "EXTENDS x\nEND_INTERFACE\n",
+        "IMPLEMENTS END_INTERFACE",
+        "PUBLIC a END_INTERFACE",
+        "x\nEND_INTERFACE",
+        "EXTENDS EXTENDS\nEND_INTERFACE",
+    ] {
+        fuzz(text.as_bytes());
+    }
 }

@@ -3,9 +3,9 @@
 use sieben_model::problems::Problem;
 
 use super::super::ast::{
-    Access, Dimension, Expression, ExpressionKind, Header, Item, Modifiers, Name, Path, TypeDeclaration, TypeKind, TypeSpec,
+    Access, Argument, Dimension, Expression, ExpressionKind, Header, Item, Modifiers, Name, Path, TypeDeclaration, TypeKind, TypeSpec,
 };
-use super::super::dialect::{Construct, Judgement};
+use super::super::dialect::Construct;
 use super::super::keywords::Keyword;
 use super::super::lexer::Raw;
 use super::declarations::Place;
@@ -133,6 +133,11 @@ impl Parser<'_> {
         }
         match self.raw() {
             Raw::ParenOpen => self.behind_base(path),
+            Raw::BracketOpen if self.constructs_elements() => {
+                let mut elements = Vec::new();
+                self.elements_constructed(&mut elements);
+                TypeKind::Constructed { block: path, arguments: Vec::new(), elements }
+            }
             // Attributes and types such as `REAL[0..10]` are unknown to every dialect.
             Raw::BracketOpen => {
                 let shown = self.previous_text();
@@ -174,7 +179,7 @@ impl Parser<'_> {
         };
         if !ranged {
             let (arguments, _) = self.arguments();
-            return TypeKind::Constructed { block: base, arguments };
+            return TypeKind::Constructed { block: base, arguments, elements: Vec::new() };
         }
         let token = self.token();
         self.judge(Construct::Subrange, token.start, token.end);
@@ -186,6 +191,33 @@ impl Parser<'_> {
         let high = Box::new(self.expression());
         self.close(Raw::ParenClose, ")");
         TypeKind::Subrange { base, low, high }
+    }
+
+    /// Whether arguments for each element of an array follow, `[(a := 1), (a := 2)]`; the current token is the bracket.
+    fn constructs_elements(&self) -> bool {
+        let next = self.tokens[self.behind(self.at)].raw;
+        self.dialect.has_pointers() && matches!(next, Raw::ParenOpen | Raw::BracketOpen)
+    }
+
+    /// The arguments of each element, with a bracket for each dimension or one for all; the current token is the bracket.
+    fn elements_constructed(&mut self, elements: &mut Vec<Vec<Argument>>) {
+        if !self.deeper() {
+            self.skip_brackets();
+            return;
+        }
+        self.bump(SyntaxKind::Punctuation);
+        loop {
+            match self.raw() {
+                Raw::ParenOpen => elements.push(self.arguments().0),
+                Raw::BracketOpen => self.elements_constructed(elements),
+                _ => break,
+            }
+            if !self.eat(Raw::Comma, SyntaxKind::Punctuation) {
+                break;
+            }
+        }
+        self.close(Raw::BracketClose, "]");
+        self.depth -= 1;
     }
 
     fn enumeration(&mut self, base: Option<Path>) -> TypeKind {
@@ -262,7 +294,7 @@ impl Parser<'_> {
         let next = self.behind(self.at);
         let between = self.text.get(self.token().end as usize..self.tokens[next].start as usize);
         let target = self.is_name(next) || self.next_keyword() == Some(Keyword::Array);
-        target && between.is_some_and(|between| !between.contains('\n')) && self.dialect.judge(Construct::PointerTo) != Judgement::Reject
+        target && between.is_some_and(|between| !between.contains('\n')) && self.dialect.has_pointers()
     }
 
     fn array(&mut self) -> TypeKind {
@@ -416,6 +448,10 @@ impl Parser<'_> {
             if self.at_word(word) && self.is_name(self.behind(self.at)) {
                 modifiers = Modifiers { access: Some(access), span: self.bump(SyntaxKind::Keyword), ..modifiers };
             }
+        }
+        let of_objects = self.dialect.has_pointers();
+        if of_objects && self.at_word("ABSTRACT") && self.is_name(self.behind(self.at)) {
+            modifiers = Modifiers { is_abstract: true, span: self.bump(SyntaxKind::Keyword), ..modifiers };
         }
         let name = match self.raw() == Raw::Colon || self.at_keyword(Keyword::Struct) {
             true => self.block_name("TYPE"),

@@ -130,8 +130,8 @@ chapters! {
         "word_to_int" "bit strings and integers" ["WORD_TO_INT" "INT_TO_WORD" "WORD_TO_BYTE" "DWORD_TO_DINT" "DINT_TO_DWORD" "REAL_TO_DWORD" "DWORD_TO_REAL"] "WORD_TO_INT(IN: WORD): INT" "INT_TO_WORD(IN: INT): WORD" "REAL_TO_DWORD(IN: REAL): DWORD";
         "bool_to_int" "BOOL and numbers" ["BOOL_TO_INT" "INT_TO_BOOL" "BOOL_TO_BYTE" "BOOL_TO_WORD" "WORD_TO_BOOL"] "BOOL_TO_INT(IN: BOOL): INT" "BOOL_TO_WORD(IN: BOOL): WORD" "WORD_TO_BOOL(IN: WORD): BOOL";
         "char_to_int" "characters and codes" ["CHAR_TO_INT" "INT_TO_CHAR" "CHAR_TO_BYTE" "BYTE_TO_CHAR"] "CHAR_TO_BYTE(IN: CHAR): BYTE" "BYTE_TO_CHAR(IN: BYTE): CHAR";
-        "bcd" "decimal digits" ["WORD_BCD_TO_INT" "INT_TO_BCD_WORD" "DWORD_BCD_TO_DINT" "DINT_TO_BCD_DWORD" "WORD_BCD_TO_UINT" "UINT_TO_BCD_WORD" "BCD_TO_UINT" "TO_BCD_WORD" "BCD_TO_INT" "INT_TO_BCD" "BCD_TO_BYTE" "BCD_TO_WORD" "BCD_TO_DWORD" "BYTE_TO_BCD" "WORD_TO_BCD" "DWORD_TO_BCD" "BCD16_TO_INT" "INT_TO_BCD16" "BCD32_TO_DINT" "DINT_TO_BCD32"]
-            "scl tia: WORD_BCD_TO_INT(IN: WORD): INT" "scl tia: INT_TO_BCD_WORD(IN: INT): WORD" "iec: WORD_BCD_TO_UINT(IN: WORD): UINT" "iec: UINT_TO_BCD_WORD(IN: UINT): WORD" "codesys: BCD_TO_INT(IN: BYTE): INT" "codesys: INT_TO_BCD(IN: INT): BYTE" "BCD16_TO_INT(IN: WORD): INT";
+        "bcd" "decimal digits" ["WORD_BCD_TO_INT" "INT_TO_BCD_WORD" "DWORD_BCD_TO_DINT" "DINT_TO_BCD_DWORD" "WORD_BCD_TO_UINT" "UINT_TO_BCD_WORD" "BCD_TO_UINT" "TO_BCD_WORD" "BCD_TO_INT" "INT_TO_BCD" "BCD_TO_BYTE" "BCD_TO_WORD" "BCD_TO_DWORD" "BYTE_TO_BCD" "WORD_TO_BCD" "DWORD_TO_BCD" "BCD16_TO_INT" "INT_TO_BCD16" "BCD32_TO_DINT" "DINT_TO_BCD32" "IS_VALID_BCD"]
+            "scl tia: WORD_BCD_TO_INT(IN: WORD): INT" "scl tia: INT_TO_BCD_WORD(IN: INT): WORD" "iec: WORD_BCD_TO_UINT(IN: WORD): UINT" "iec: UINT_TO_BCD_WORD(IN: UINT): WORD" "codesys: BCD_TO_INT(IN: BYTE): INT" "codesys: INT_TO_BCD(IN: INT): BYTE" "iec: INT_TO_BCD(IN: INT): WORD" "iec: IS_VALID_BCD(IN: ANY_BIT): BOOL" "BCD16_TO_INT(IN: WORD): INT";
         "time_to_dint" "times and numbers" ["TIME_TO_DINT" "DINT_TO_TIME" "TOD_TO_DINT" "LTIME_TO_TIME" "TIME_TO_LTIME"] "TIME_TO_DINT(IN: TIME): DINT" "DINT_TO_TIME(IN: DINT): TIME" "LTIME_TO_TIME(IN: LTIME): TIME";
         "dt_to_date" "date and time of day" ["DT_TO_DATE" "DT_TO_TOD"] "DT_TO_DATE(IN: DT): DATE" "DT_TO_TOD(IN: DT): TOD";
         "s5time_to_time" "times of S5 timers" ["S5TIME_TO_TIME" "TIME_TO_S5TIME"] "S5TIME_TO_TIME(IN: S5TIME): TIME" "TIME_TO_S5TIME(IN: TIME): S5TIME";
@@ -254,7 +254,7 @@ pub fn page(name: &str) -> Option<&'static Page> {
         return Some(page);
     }
     let of_file = |file: &str| pages().find(|page| page.file == file);
-    if name.contains("_BCD_") || name.starts_with("BCD_TO_") || name.starts_with("TO_BCD_") {
+    if name.contains("_BCD_") || name.starts_with("BCD_TO_") || name.starts_with("TO_BCD_") || name.ends_with("_TO_BCD") {
         return of_file("bcd");
     }
     if ["TRUNC_", "ROUND_", "CEIL_", "FLOOR_", "REAL_TRUNC_", "LREAL_TRUNC_"].iter().any(|start| name.starts_with(start)) {

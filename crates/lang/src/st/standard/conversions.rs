@@ -89,6 +89,18 @@ fn bcd(call: &Call<'_>) -> Answer {
                 (Some(named(bits, call.dialect)?), Some(named(number, call.dialect)?), true)
             } else if let Some((number, bits)) = call.name.split_once("_TO_BCD_") {
                 (Some(named(number, call.dialect)?), Some(named(bits, call.dialect)?), false)
+            } else if call.name == "IS_VALID_BCD" {
+                return Some(is_valid_bcd(call));
+            } else if let Some(number) = call.name.strip_suffix("_TO_BCD") {
+                // As many bits as the number has.
+                let number = named(number, call.dialect).filter(is_integer)?;
+                let bits = match number.bits() {
+                    8 => T::Byte,
+                    16 => T::Word,
+                    32 => T::DoubleWord,
+                    _ => T::LongWord,
+                };
+                (Some(number), Some(bits), false)
             } else if let Some(number) = call.name.strip_prefix("BCD_TO_") {
                 (None, Some(named(number, call.dialect)?), true)
             } else {
@@ -144,6 +156,17 @@ fn bcd(call: &Call<'_>) -> Answer {
     })())
 }
 
+/// Whether each four bits are a digit.
+fn is_valid_bcd(call: &Call<'_>) -> Result<Resolved, Refusal> {
+    let given = call.bind(&["IN"])?;
+    let data_type = call.own(given[0], super::generic::Group::Bits, &DataType::Word)?;
+    built(vec![("IN", data_type)], DataType::Bool, |mut args, at| {
+        let value = args.remove(0);
+        let digits = constant(u64::from(value.scalar.bits().div_ceil(4)), Scalar::U8, at.span);
+        compute(Op::IsBcd, vec![value, digits], Scalar::Bool, at.span)
+    })
+}
+
 /// The same surroundings for a moment.
 fn reborrow<'a>(at: &'a mut Building<'_>) -> Building<'a> {
     Building { span: at.span, checked: at.checked, quotients: at.quotients, temporary: &mut *at.temporary }
@@ -173,7 +196,9 @@ fn s7_bcd(call: &Call<'_>, from: DataType, to: DataType, decodes: bool) -> Resul
 
 /// `X_TO_Y`, and `TO_Y` where the dialect has it.
 fn by_name(call: &Call<'_>) -> Answer {
-    let (from, to) = match call.name.strip_prefix("TO_") {
+    // CODESYS has two names for what takes any type.
+    let any = if call.dialect == Dialect::Codesys { call.name.strip_prefix("ANY_TO_") } else { None };
+    let (from, to) = match any.or_else(|| call.name.strip_prefix("TO_")) {
         Some(to) => (None, to),
         None => {
             let (from, to) = call.name.split_once("_TO_")?;

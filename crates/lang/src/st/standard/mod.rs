@@ -197,7 +197,14 @@ pub fn resolve(name: &str, dialect: Dialect, arguments: &[Given<'_>]) -> Option<
 /// What is a block of the library by its own name.
 fn blocks(call: &Call<'_>) -> Option<Result<Resolved, Refusal>> {
     if call.name == "LEN" {
-        return Some(call.bind(&["IN"]).map(|_| Resolved { parameters: Vec::new(), result: DataType::Int, meaning: Meaning::Length }));
+        // The library Standard of CODESYS has a name of its own for the text.
+        let own = call.dialect == Dialect::Codesys
+            && call.arguments.iter().any(|given| given.name.is_some_and(|name| name.eq_ignore_ascii_case("STR")));
+        return Some(call.bind(&[if own { "STR" } else { "IN" }]).map(|_| Resolved {
+            parameters: Vec::new(),
+            result: DataType::Int,
+            meaning: Meaning::Length,
+        }));
     }
     if let Some(answer) = selection::concat(call) {
         return Some(answer);

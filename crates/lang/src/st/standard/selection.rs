@@ -194,8 +194,13 @@ fn neighbours(call: &Call<'_>, function: Operation) -> Result<Resolved, Refusal>
     let bound = call.bind_list(&[], "IN", 1, 2)?;
     let given: Vec<_> = bound.iter().map(|(_, given)| *given).collect();
     if given.iter().any(|given| is_text(given)) {
-        call.bind(&["IN1", "IN2"])?;
-        return texts(call, &given, Meaning::CompareTexts(function));
+        if given.len() > TEXTS_MAX {
+            let message = format!("`{}` takes at most {TEXTS_MAX} texts, not {}", call.name, given.len());
+            return Err(call.refuse(sieben_model::problems::Problem::P3009, Some(TEXTS_MAX), message, "compare a part of them first"));
+        }
+        let string = DataType::String(sieben_model::types::STRING_LENGTH_MAX);
+        let parameters = bound.iter().map(|(name, _)| Parameter { name: name.clone(), data_type: string.clone() }).collect();
+        return Ok(Resolved { parameters, ..texts(call, &given, Meaning::CompareTexts(function))? });
     }
     let data_type = call.common(&given, Group::Elementary)?;
     let names = bound.into_iter().map(|(name, _)| name).collect();
