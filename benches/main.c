@@ -15,6 +15,16 @@ static double now(void)
     return time.tv_sec * 1e9 + time.tv_nsec;
 }
 
+/* Prints the outputs and the bit memory that are compared with those of the program in STL. */
+static void print_memory(void)
+{
+    for (int byte = 0; byte < 64; byte++)
+        printf("%02x", Q[byte]);
+    for (int byte = 0; byte < 256; byte++)
+        printf("%02x", M[byte]);
+    printf("\n");
+}
+
 int main(int count, char **words)
 {
     long scans = count > 1 ? atol(words[1]) : 1000;
@@ -37,6 +47,9 @@ int main(int count, char **words)
         if (time < best)
             best = time;
     }
-    printf("%.3f\n", best);
+    if (count > 3)
+        print_memory();
+    else
+        printf("%.3f\n", best);
     return 0;
 }

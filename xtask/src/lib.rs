@@ -3,6 +3,7 @@
 #![allow(clippy::print_stdout)] // A task talks to the person who started it.
 
 pub mod aarch64;
+pub mod ablate;
 pub mod clients;
 mod compatibility;
 pub mod functions;

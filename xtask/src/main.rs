@@ -4,7 +4,7 @@
 
 use std::process::ExitCode;
 
-use xtask::{aarch64, clients, fuzz, generate, soak, test, tidy, vscode, web};
+use xtask::{aarch64, ablate, clients, fuzz, generate, soak, test, tidy, vscode, web};
 
 const USAGE: &str = "usage: cargo xtask TASK
 
@@ -29,6 +29,8 @@ const USAGE: &str = "usage: cargo xtask TASK
   fuzz --replay TARGET FILE
                         run one target on one input
   aarch64               all programs of the manual as machine code for aarch64, checked and not run
+  ablate [NAME,…]       measure what each optimization of the machine code is worth, and write
+                        docs/benchmarks/ablation.md
   soak kill [--count N] kill a running program N times (1000) and look at its retentive data
   soak run [--minutes N]
                         run a program for N minutes (60) and watch its memory
@@ -55,6 +57,7 @@ fn main() -> ExitCode {
         "generate" => generate::run(),
         "fuzz" => fuzz::run(rest),
         "aarch64" => aarch64::run(),
+        "ablate" => ablate::run(rest),
         "soak" => soak::run(rest),
         "help" | "--help" | "-h" => {
             println!("{USAGE}");

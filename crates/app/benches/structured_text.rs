@@ -156,8 +156,7 @@ fn main() -> ExitCode {
         }
     }
     if !ratios.is_empty() {
-        let mean = ratios.iter().product::<f64>().powf(1.0 / ratios.len() as f64);
-        println!("geometric mean of the ratios: {mean:.2}");
+        println!("geometric mean of the ratios: {:.2}", side_by_side::mean(&ratios));
     }
     if failed { ExitCode::FAILURE } else { ExitCode::SUCCESS }
 }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use clap::ValueEnum;
 use sieben_engine::{Engine, Interpreter, Layout, Program};
-use sieben_jit::{Jit, StatusBits, Tier, Tiers};
+use sieben_jit::{Jit, PassSet, StatusBits, Tier, Tiers};
 
 use crate::panics::Trouble;
 use crate::{output, panics};
@@ -57,10 +57,7 @@ impl EngineArgument {
                 });
                 engine
             }
-            Self::Jit => panics::survive(|| Jit::compiled(program, layout, status)).unwrap_or_else(|trouble| {
-                output::message(&stays_interpreted(&trouble.reason()));
-                Interpreter::load(program, layout)
-            }),
+            Self::Jit => machine_code(program, layout, status, PassSet::default()),
             Self::Quick => {
                 let tiers = Tiers::load(program, layout, status);
                 if let Err(trouble) = panics::survive(|| tiers.compile(Tier::Quick)) {
@@ -70,6 +67,14 @@ impl EngineArgument {
             }
         }
     }
+}
+
+/// Makes machine code with these optimizations; a program that cannot become it is interpreted, which is said.
+pub(crate) fn machine_code(program: &Program, layout: &Layout, status: StatusBits, passes: PassSet) -> Arc<dyn Engine> {
+    panics::survive(|| Jit::compiled_with(program, layout, status, passes)).unwrap_or_else(|trouble| {
+        output::message(&stays_interpreted(&trouble.reason()));
+        Interpreter::load(program, layout)
+    })
 }
 
 /// The message about a program that does not become machine code.

@@ -1,12 +1,12 @@
 //! The programs of `cargo bench -p sieben-app --bench structured_text` come to the same results as the same work in C, on all engines.
 
-use std::collections::BTreeMap;
 use std::fs;
-use std::path::PathBuf;
 
 use sieben_engine::{Interpreter, Layout, Program};
 use sieben_jit::{Jit, StatusBits};
 
+#[path = "../benches/structured_text/corpus.rs"]
+mod corpus;
 #[allow(dead_code)] // The tests of whole programs need more of it.
 mod program;
 #[allow(dead_code)] // The measurements need more of it.
@@ -64,14 +64,6 @@ fn same_on_all_engines(name: &str, text: &str, scans: usize) {
     }
 }
 
-/// The programs of the corpus, by name.
-fn corpus() -> BTreeMap<String, PathBuf> {
-    let folder = side_by_side::root().join("benches/st/corpus");
-    let files = fs::read_dir(&folder).expect("a folder").map(|entry| entry.expect("a file").path());
-    let programs = files.filter(|file| file.extension().is_some_and(|extension| extension == "st"));
-    programs.map(|file| (file.file_stem().expect("a name").to_string_lossy().into_owned(), file)).collect()
-}
-
 /// Which test runs a program of the corpus: each set of nine has its own, so that the tests run side by side.
 fn part_of(name: &str) -> &str {
     let set = name.split_once('_').map_or("", |(set, _)| set);
@@ -80,7 +72,7 @@ fn part_of(name: &str) -> &str {
 
 /// Runs the programs of one part of the corpus on all engines.
 fn run_corpus(part: &str) {
-    for (name, file) in corpus().into_iter().filter(|(name, _)| part_of(name) == part) {
+    for (name, file) in corpus::all().into_iter().filter(|(name, _)| part_of(name) == part) {
         same_on_all_engines(&name, &fs::read_to_string(&file).expect("a source"), 12);
     }
 }
@@ -107,7 +99,7 @@ fn programs_that_stand_for_regressions_are_the_same_on_all_engines() {
 
 #[test]
 fn the_corpus_is_small_and_each_program_has_a_reason() {
-    let programs = corpus();
+    let programs = corpus::all();
     let reasons = fs::read_to_string(side_by_side::root().join("benches/st/corpus/README.md")).expect("a page");
     for (name, file) in &programs {
         assert!(file.with_extension("c").exists(), "{name} has no twin in C");

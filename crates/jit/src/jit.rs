@@ -16,6 +16,7 @@ use sieben_model::block::{BlockId, BlockKind};
 
 use crate::entry::{Function, Generation};
 use crate::handed;
+use crate::passes::{Pass, PassSet};
 use crate::run::{Areas, Limits, OpenTable, Room, Run, Scratch, areas, open_table};
 use crate::translate::{self, Options};
 use crate::written_out::{Turns, WrittenOut, write_out};
@@ -184,7 +185,7 @@ impl Source {
 
     /// The blocks as they are compiled.
     fn blocks(&self, options: Options) -> Cow<'_, [Native]> {
-        match options.optimize && !options.exact {
+        match options.does(Pass::Unrolling) && !options.exact {
             true => self.blocks.iter().map(Native::with_turns_written_out).collect(),
             false => Cow::Borrowed(&self.blocks),
         }
@@ -192,7 +193,11 @@ impl Source {
 
     /// What is known of the program beside what is wanted. Who looks at the registers finds the local data, too.
     fn options(&self, wanted: Options) -> Options {
-        Options { asks_before_writing: self.asks_before_writing, forgets_locals: self.forgets_locals && !wanted.exact, ..wanted }
+        Options {
+            asks_before_writing: self.asks_before_writing,
+            forgets_locals: self.forgets_locals && !wanted.exact && wanted.passes.has(Pass::StackLifetimes),
+            ..wanted
+        }
     }
 
     /// Compiles all blocks.
@@ -308,10 +313,18 @@ impl Jit {
     /// # Errors
     /// Why the program cannot become machine code, as the end of a sentence: it is too large, or the machine is not supported.
     pub fn compiled(program: &Program, layout: &Layout, status: StatusBits) -> Result<Arc<dyn Engine>, String> {
+        Self::compiled_with(program, layout, status, PassSet::default())
+    }
+
+    /// The same with some of the optimizations.
+    ///
+    /// # Errors
+    /// Why the program cannot become machine code, as the end of a sentence.
+    pub fn compiled_with(program: &Program, layout: &Layout, status: StatusBits, passes: PassSet) -> Result<Arc<dyn Engine>, String> {
         let source = Source::new(program, layout, Arc::new(Interpreter::new(program, layout)))?;
         let may_optimize = source.may_optimize();
         let optimize = status == StatusBits::Needed && may_optimize;
-        let options = Options { exact: status == StatusBits::All, optimize, ..Options::default() };
+        let options = Options { exact: status == StatusBits::All, optimize, passes, ..Options::default() };
         let jit = match source.compile(options) {
             // Optimized code keeps fewer values on the stack.
             Err(_) if may_optimize && !optimize => source.compile(Options { optimize: true, ..options })?,
@@ -328,6 +341,17 @@ impl Jit {
         let source = Source::new(program, layout, Arc::new(Interpreter::new(program, layout)))?;
         let options = source.options(Options { exact: false, optimize: true, ..Options::default() });
         translate::listing(&source.blocks(options), &|id| source.interpreter.code(id), &source.layout, options)
+    }
+
+    /// The bytes of all blocks as optimized code for a fixed x86-64 processor: the same on every computer.
+    ///
+    /// # Errors
+    /// Why the program cannot become machine code, as the end of a sentence.
+    #[cfg(target_arch = "x86_64")]
+    pub fn counted_bytes(program: &Program, layout: &Layout) -> Result<usize, String> {
+        let source = Source::new(program, layout, Arc::new(Interpreter::new(program, layout)))?;
+        let options = source.options(Options { exact: false, optimize: true, ..Options::default() });
+        translate::counted_bytes(&source.blocks(options), &|id| source.interpreter.code(id), layout, options)
     }
 
     /// Compiles all blocks for aarch64 in every tier, with Cranelift's checks on, and throws the code away; bytes of all tiers.

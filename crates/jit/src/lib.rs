@@ -6,6 +6,7 @@ mod ask;
 mod entry;
 mod handed;
 mod jit;
+mod passes;
 mod run;
 mod tiers;
 mod translate;
@@ -13,4 +14,5 @@ mod turn;
 mod written_out;
 
 pub use jit::{Jit, StatusBits};
+pub use passes::{Pass, PassSet};
 pub use tiers::{Tier, Tiers};

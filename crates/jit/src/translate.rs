@@ -8,9 +8,7 @@ use std::mem::offset_of;
 
 use cranelift_codegen::cursor::{Cursor, FuncCursor};
 use cranelift_codegen::ir::types::{I32, I64};
-use cranelift_codegen::ir::{
-    self as clif, BlockArg, FuncRef, InstBuilder, InstructionData, MemFlagsData, Opcode, StackSlot, Value, ValueDef,
-};
+use cranelift_codegen::ir::{self as clif, BlockArg, FuncRef, InstBuilder, InstructionData, MemFlagsData, Opcode, Value, ValueDef};
 use cranelift_frontend::{FunctionBuilder, Variable};
 use cranelift_jit::JITModule;
 use cranelift_module::{FuncId, Module};
@@ -28,14 +26,11 @@ use crate::run::Run;
 
 mod alone;
 mod analysis;
-mod bits_apart;
-mod branches;
 mod budget;
 mod bytes;
 mod calls;
-mod case_tables;
 mod choices;
-mod decided;
+mod dead_loads;
 mod decimal;
 mod effects;
 mod elements;
@@ -51,37 +46,30 @@ mod instance_pointer;
 mod interpreted;
 mod intrinsics;
 mod loops;
-mod meeting;
 mod memory;
 mod moves;
 mod near_reads;
 mod nesting;
-mod next_value;
 mod numbers;
 mod open;
 mod outside;
 mod own_block;
-mod own_words;
 mod program;
 mod promote;
 mod quotients;
 mod ranges;
-mod reals_as_read;
 mod series;
 mod shifts;
 mod sized;
 mod spacing;
-mod tested_bits;
 mod text_bytes;
 mod text_lengths;
 mod text_numbers;
 mod text_order;
-mod text_pointers;
 mod texts;
 mod turns;
 mod value;
 mod versions;
-mod whole_products;
 mod words;
 mod written_out;
 
@@ -99,13 +87,14 @@ use instance_pointer::InstancePointer;
 use interpreted::Interpreted;
 use loops::Loop;
 pub(crate) use loops::{made_by, targets};
-use meeting::Meeting;
 use outside::{Functions, Outside};
 #[cfg(feature = "aarch64")]
 pub(crate) use program::aarch64_bytes;
+#[cfg(target_arch = "x86_64")]
+pub(crate) use program::counted_bytes;
 use program::{Find, block_signature, words_signature};
 pub(crate) use program::{Options, listing, program};
-use promote::{Base, Computed, Counted, Promoted};
+use promote::{Base, Computed, Promoted};
 use ranges::Ranges;
 use series::Series;
 use text_lengths::KeptLength;
@@ -235,10 +224,6 @@ struct Translator<'a> {
     stored: u32,
     /// What has been taken from the budget and not from its variable.
     taken: i64,
-    /// What counts the budget in the running loop.
-    counted: Option<Counted>,
-    /// Whether the running instruction stores what counts the budget, one further than before.
-    steps: bool,
     /// The look at the budget on which blocks that are entered now rely.
     look: Option<usize>,
     looks: Vec<Look>,
@@ -320,10 +305,6 @@ struct Translator<'a> {
     choice: Option<Choice>,
     /// Where in its piece the running statement writes a bit last, if that is known: a good place to work on bits.
     aim: Option<u8>,
-    /// Bytes of the stack for bits that wait.
-    slots_for_bits: Vec<StackSlot>,
-    /// Where the ways of the running statement meet, if it is written twice.
-    meeting: Option<Meeting>,
     /// The running statement has not begun yet.
     arriving: bool,
     /// Nothing that follows is reached.
@@ -391,8 +372,6 @@ impl<'a> Translator<'a> {
             items: [None; 2],
             stored: 0,
             taken: 0,
-            counted: None,
-            steps: false,
             look: None,
             looks: Vec::new(),
             interpreted: Vec::new(),
@@ -436,8 +415,6 @@ impl<'a> Translator<'a> {
             series: None,
             choice: None,
             aim: None,
-            slots_for_bits: Vec::new(),
-            meeting: None,
             arriving: false,
             ended: false,
             leave,
@@ -488,8 +465,6 @@ impl<'a> Translator<'a> {
         for statement in 0..code.statement_count() {
             if !self.ended {
                 self.leave_loops(statement as u32);
-            } else if self.leaves_counted(statement as u32) {
-                self.counted = None;
             }
             self.statement = statement as u32;
             self.arrive();
@@ -507,26 +482,18 @@ impl<'a> Translator<'a> {
             self.begin_series();
             self.aim = self.written_bit(code.statement(statement));
             let first = code.statements[statement];
-            let mut decided = self.decided_by_parts();
             for (index, inst) in (first..).zip(code.statement(statement)) {
                 if self.is_in_series(index) {
                     continue;
                 }
-                self.meet_in_front(index);
                 if matches!(inst, Inst::Jump { .. } | Inst::Branch { .. } | Inst::JumpTable { .. }) {
                     let behind = &code.insts[index as usize + 1..code.statements[statement + 1] as usize];
                     self.drop_what_was_handed(behind);
-                }
-                if self.is_read_again(index, inst, &decided) {
-                    continue;
                 }
                 self.inst(index, inst);
                 if self.ended {
                     break;
                 }
-                self.note_read(index, inst, &mut decided);
-                self.meet_behind(index);
-                self.jump_if_decided(index, &mut decided);
             }
             if !self.ended {
                 self.drop_what_was_handed(&[]);
@@ -838,13 +805,13 @@ impl<'a> Translator<'a> {
                 self.b.ins().brif(answer, self.leave, &[], block, &[BlockArg::Value(value)]);
             }
             After::NextStatement => {
-                let (changed, taken, counted) = (self.changed, self.taken, self.counted);
+                let (changed, taken) = (self.changed, self.taken);
                 self.leave_loops(self.statement + 1);
                 let next = self.edge(self.statement + 1);
                 let next = self.verified(self.statement + 1, next);
                 self.b.ins().brif(answer, self.leave, &[], next, &[]);
                 self.write_verifications();
-                (self.changed, self.taken, self.counted) = (changed, taken, counted);
+                (self.changed, self.taken) = (changed, taken);
             }
         }
         self.cold = before;
@@ -887,11 +854,10 @@ impl<'a> Translator<'a> {
                 self.set(dst, Val::Const(value));
             }
             Inst::Load { .. } | Inst::Store { .. } if self.access_instance(index, inst) => {}
-            Inst::Load { dst, place, width, .. } if self.is_there(index, place, width) && self.is_needless(index, dst) => {}
+            Inst::Load { dst, place, width, .. } if self.is_dead_load(index, dst, (place, width)) => {}
             Inst::Load { dst, place, width, on_fault } => self.load(index, dst, place, width, on_fault),
             Inst::Store { place, width, src } => {
                 let value = self.get(src);
-                self.steps = self.is_step_of_turn(index);
                 let value = match self.choice.take() {
                     Some(choice) => self.chosen(choice, (place, width), index, value),
                     None => Some(value),
@@ -899,10 +865,8 @@ impl<'a> Translator<'a> {
                 if let Some(value) = value {
                     self.store(index, place, width, value);
                 }
-                self.steps = false;
             }
-            Inst::Move { from, to, bytes }
-                if self.move_inside(index, (from, to, bytes)) || self.move_anywhere(index, (from, to, bytes)) => {}
+            Inst::Move { from, to, bytes } if self.move_inside(index, (from, to, bytes)) => {}
             Inst::Move { from, to, .. } => {
                 let pointers = [self.pointer(from), self.pointer(to)];
                 self.store_open_blocks();
@@ -920,7 +884,6 @@ impl<'a> Translator<'a> {
                 }
             }
             Inst::Require { condition, .. } if self.ranges.is_interpreted(index) => self.require_or_interpret(condition),
-            Inst::Require { condition, code, register } if code & NOTED != 0 && self.look_and_part(index, condition, register) => {}
             Inst::Require { condition, code, register } if code & NOTED != 0 => {
                 let go_on = self.b.create_block();
                 self.require(index, condition, Some(register), After::At(go_on));
@@ -942,9 +905,6 @@ impl<'a> Translator<'a> {
             Inst::Branch { condition, to } => {
                 let condition = self.get(condition);
                 let condition = self.force(condition);
-                if self.leave_for_meeting(index, condition) {
-                    return;
-                }
                 if let Val::Const(value) = condition {
                     if value & 1 != 0 {
                         self.inst(index, &Inst::Jump { to });
@@ -956,12 +916,7 @@ impl<'a> Translator<'a> {
                 }
                 self.branch(condition, to);
             }
-            Inst::JumpTable { index: selector, first, count, otherwise } => {
-                let targets = &self.native().code.tables[first as usize..(first + count) as usize];
-                if !self.assigns_by_table(index, selector, targets, otherwise) {
-                    self.jump_table(selector, first, count, otherwise);
-                }
-            }
+            Inst::JumpTable { index: selector, first, count, otherwise } => self.jump_table(selector, first, count, otherwise),
             Inst::Call { callee, parameters } => self.call_block(index, callee, parameters),
             Inst::Return if !self.outer.is_empty() => {
                 if let Some(end) = end(&self.native().code).filter(|&end| end != self.statement) {

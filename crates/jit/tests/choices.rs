@@ -250,40 +250,6 @@ fn one_of_two_assignments_to_a_variable_is_chosen_without_a_jump() {
     assert!(!is_chosen([44, 44], false, true), "there is more than one assignment");
 }
 
-/// Whether a CASE with so many branches, each for one value, that assigns constants below a limit is written without a jump.
-fn is_table(branches: u32, most: u64, other: u32) -> bool {
-    let write = |b: &mut Builder| {
-        let end = 1 + 2 * branches;
-        b.begin_statement();
-        let selector = get(b, 40, Width::Byte);
-        let targets: Vec<Target> = (0..branches).map(|branch| Target(1 + 2 * branch)).collect();
-        let table = b.table(&targets);
-        b.push(Inst::JumpTable { index: selector, first: table, count: branches, otherwise: Target(end) });
-        for branch in 0..branches {
-            b.begin_statement();
-            let value = b.constant(most - u64::from(branch));
-            b.store(fixed(if branch == 1 { other } else { 44 }), Width::DoubleWord, value);
-            b.begin_statement();
-            b.push(Inst::Jump { to: Target(end) });
-        }
-        b.begin_statement();
-        b.push(Inst::Return);
-    };
-    let program = program(&[(BlockId::ob(1), 16, &write)]);
-    let listing = Jit::listing(&program, &noting::layout(&program)).expect("machine code");
-    !listing.contains("br_table")
-}
-
-#[test]
-fn constants_in_the_branches_of_a_case_are_found_without_a_jump() {
-    assert!(is_table(8, 255, 44));
-    assert!(is_table(32, 255, 44));
-    assert!(!is_table(33, 255, 44), "they take more than four words");
-    assert!(is_table(16, 65_535, 44) && !is_table(17, 65_535, 44));
-    assert!(is_table(8, 1 << 20, 44) && !is_table(9, 1 << 20, 44));
-    assert!(!is_table(8, 255, 48), "one of the branches writes another variable");
-}
-
 #[test]
 fn a_table_may_lead_to_the_end_of_a_block() {
     let write = |b: &mut Builder| {

@@ -1,9 +1,8 @@
-//! Counted loops that read several bits a few positions apart from each other, and set several bits of a byte: they are read in one piece and
-//! put together step by step, and the loops do what the interpreter does, wherever the bits lie and whoever writes there.
+//! Counted loops that read several bits a few positions apart from each other, and set several bits of a byte, which are put together step by
+//! step: the loops do what the interpreter does, wherever the bits lie and whoever writes there.
 
 use sieben_engine::ir::{Builder, DataRegister, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::{Exit, Machine, Reaction, StopReason};
-use sieben_jit::Jit;
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
@@ -66,43 +65,6 @@ fn counted(b: &mut Builder, last: u64, turn: &dyn Fn(&mut Builder)) {
     b.push(Inst::Branch { condition: again, to: Target(2) });
     b.begin_statement();
     b.push(Inst::Return);
-}
-
-/// Counts turns in which all bits at some offsets are 1.
-fn count_all(b: &mut Builder, step: u64, offsets: &[u32]) {
-    let bits: Vec<Var> = offsets.iter().map(|&offset| read(b, step, offset)).collect();
-    let all = bits[1..].iter().fold(bits[0], |all, &bit| b.compute(Op::And, &[all, bit]));
-    let sum = get(b, SUM);
-    let sum = b.compute(Op::AddU32, &[sum, all]);
-    b.store(fixed(SUM), Width::DoubleWord, sum);
-}
-
-/// Whether bits are taken out of a piece: each but the first is moved to where the first one is.
-fn reads_pieces(bytes: usize, turn: &dyn Fn(&mut Builder)) -> bool {
-    let program = program(&[(BlockId::ob(1), 16, &|b| counted(b, LAST, turn))]);
-    Jit::listing(&program, &layout_with(&program, bytes)).expect("machine code").contains("= rotr")
-}
-
-#[test]
-fn bits_a_few_positions_apart_are_read_in_one_piece() {
-    assert!(reads_pieces(DATA_BYTES, &|b| count_all(b, 9, &[3, 4])));
-    assert!(reads_pieces(DATA_BYTES, &|b| count_all(b, 9, &[3, 27])));
-    // Too far apart.
-    assert!(!reads_pieces(DATA_BYTES, &|b| count_all(b, 9, &[3, 28])));
-    // Four bytes from the last one on would end behind all memory.
-    let last = 8 * DATA_BYTES as u32 - 9 * LAST as u32;
-    assert!(reads_pieces(DATA_BYTES, &|b| count_all(b, 9, &[last - 33, last - 27])));
-    assert!(!reads_pieces(DATA_BYTES, &|b| count_all(b, 9, &[last - 7, last - 1])));
-}
-
-#[test]
-fn bits_of_which_a_turn_writes_some_are_read_one_by_one() {
-    assert!(!reads_pieces(DATA_BYTES, &|b| {
-        count_all(b, 9, &[0, 2]);
-        b.begin_statement();
-        let (place, one) = (bit(b, 9, 1), b.constant(1));
-        b.store(place, Width::Bit, one);
-    }));
 }
 
 /// A byte in which some bits are set to others, as a whole.

@@ -1,5 +1,5 @@
-//! Loops in loops whose inner turns are done side by side, all of them for one turn of the outer loop, or whose outer turns are but for what
-//! they do in order behind the inner loop, and indexes that a turn chooses and the next one reads by.
+//! Loops in loops whose outer turns are done side by side but for what they do in order behind the inner loop, or whose inner ones could be,
+//! and indexes that a turn chooses and the next one reads by.
 
 use std::cell::RefCell;
 use std::sync::Arc;
@@ -372,7 +372,7 @@ fn loops(b: &mut Builder, seed: u64) {
 }
 
 #[test]
-fn inner_turns_side_by_side_do_what_the_interpreter_does() {
+fn turns_in_turns_do_what_the_interpreter_does() {
     let (mut asked, mut finished, mut in_order) = (0, 0, 0);
     for seed in seeds(PROGRAMS) {
         let block = BlockId::ob(1);

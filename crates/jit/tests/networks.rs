@@ -263,32 +263,6 @@ fn networks_are_those_of_the_interpreter() {
     assert!(asked > 150 && finished > 150, "{asked} questions, {finished} runs to the end");
 }
 
-/// The machine code of so many networks that write bits from one on.
-fn listing(first: u32, count: u32) -> String {
-    let program = program(&[(BlockId::ob(1), 0, &|b| {
-        for bit in first..first + count {
-            b.begin_statement();
-            let read =
-                |b: &mut Builder, position| b.load(Place::Fixed { area: Area::BitMemory, position }, Width::Bit, OnFault::SkipStatement);
-            let (one, other) = (read(b, 400 + bit), read(b, 480 + bit * 3 % 64));
-            let value = b.compute(Op::AndNot, &[one, other]);
-            b.store(Place::Fixed { area: Area::BitMemory, position: 8 * BITS + bit }, Width::Bit, value);
-        }
-        b.begin_statement();
-        b.push(Inst::Return);
-    })]);
-    Jit::listing(&program, &layout(&program)).expect("machine code")
-}
-
-#[test]
-fn bits_of_many_networks_are_put_together_at_once() {
-    let count = |listing: &str| listing.matches("vhigh_bits").count();
-    // Sixteen bits each, of a piece of four bytes, and of its second half; not of a few.
-    assert_eq!(count(&listing(0, 32)), 2);
-    assert_eq!(count(&listing(16, 16)), 1);
-    assert_eq!(count(&listing(14, 3)), 0);
-}
-
 #[test]
 fn a_bit_that_decides_goes_to_its_place_in_a_number() {
     let code = |op: Op, mask: u64| {

@@ -244,7 +244,7 @@ fn numbers_of_functions_that_branch_are_those_of_the_interpreter() {
 }
 
 /// A function with two ways of some statements, called once: stores in the machine code.
-fn stores(are_private: bool, are_handed: bool) -> usize {
+fn stores(are_handed: bool) -> usize {
     let mixes = |b: &mut Builder, op: Op| {
         for (to, width) in [OWN[0], OWN[1]] {
             b.begin_statement();
@@ -286,9 +286,6 @@ fn stores(are_private: bool, are_handed: bool) -> usize {
     let mut program = program(&[(BlockId::ob(1), LOCAL_BYTES, &outer), (BlockId::fc(1), LOCAL_BYTES, &function)]);
     declared(&mut program, true);
     for block in program.code.values_mut() {
-        if !are_private {
-            block.private.clear();
-        }
         if !are_handed {
             block.handed.clear();
         }
@@ -300,6 +297,6 @@ fn stores(are_private: bool, are_handed: bool) -> usize {
 
 #[test]
 fn numbers_that_nobody_else_sees_are_not_stored() {
-    let [all, handed, own] = [(false, false), (false, true), (true, true)].map(|(private, handed)| stores(private, handed));
-    assert!(own < handed && handed < all, "{own}, {handed} and {all} stores");
+    let [all, handed] = [false, true].map(stores);
+    assert!(handed < all, "{handed} and {all} stores");
 }

@@ -3,7 +3,6 @@
 
 use sieben_engine::Machine;
 use sieben_engine::ir::{Builder, Inst, OnFault, Op, Place, Target, Var};
-use sieben_jit::Jit;
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
@@ -19,7 +18,7 @@ const ELEMENTS: u32 = 40;
 const FLAGS: u32 = 500;
 const COUNTER: u32 = 600;
 const DOUBLES: [u32; 2] = [616, 620];
-/// What no turn reads: the last one that writes them leaves it. So many of them wait on the stack.
+/// What no turn reads: the last one that writes them leaves it.
 const LEFT: [u32; 4] = [624, 644, 648, 652];
 const REALS: [u32; 2] = [628, 632];
 const WORDS: [u32; 2] = [636, 638];
@@ -258,23 +257,4 @@ fn turns_that_part_do_what_the_interpreter_does() {
         silent += all_engines_agree_from((&program, &noting::layout(&program)), MEMORIES, &prepare, &seed.to_string());
     }
     assert!(silent > 500, "{silent} runs in which nobody was asked");
-}
-
-/// Choices without a jump in the machine code of a loop.
-fn choices(parts: &[Part]) -> usize {
-    let program = program(&[(BlockId::ob(1), 16, &|b| looping(b, 30, parts))]);
-    let listing = Jit::listing(&program, &noting::layout(&program)).expect("machine code");
-    listing.lines().filter(|line| line.contains("cmov")).count()
-}
-
-#[test]
-fn a_jump_is_made_where_one_of_the_ways_has_much_to_do() {
-    let flag = |yes: Vec<Part>| vec![Part::If(Condition::Flag, yes, Vec::new())];
-    let keep = |at: usize| Part::Keep(DOUBLES[at], From::Element(at as u32));
-    let much = || {
-        let more = [Part::Add(DOUBLES[0], Op::MulU32, From::Variable(DOUBLES[1])), Part::Real(REALS[0], None, 1)];
-        vec![keep(0), keep(1), Part::Keep(LEFT[0], From::Counter)].into_iter().chain(more).collect()
-    };
-    // What turns do on another way is written without choices, beside those of the loop as it stands.
-    assert!(choices(&flag(much())) < 5 * choices(&flag(vec![keep(0)])), "{}", choices(&flag(much())));
 }

@@ -314,32 +314,3 @@ fn what_grew_under_a_condition_is_read_under_the_same_condition() {
         }
     }
 }
-
-#[test]
-fn a_turn_reads_what_it_needs_where_it_writes() {
-    // Each turn reads two elements and writes three: the second value is read behind the first write, which goes somewhere else.
-    let element = |b: &mut Builder, offset: u32| {
-        let pointer = instance(b);
-        Place::Indirect { area: Area::InstanceData, pointer, offset }
-    };
-    let turn = |b: &mut Builder| {
-        for (from, to) in [(0, 32), (16, 48)] {
-            b.begin_statement();
-            let (place, five) = (element(b, from), b.constant(5));
-            let value = load(b, place, Width::Word);
-            let value = b.compute(Op::MulU16, &[value, five]);
-            let value = b.compute(Op::DivI16, &[five, value]);
-            let place = element(b, to);
-            b.store(place, Width::Word, value);
-        }
-        3
-    };
-    let nothing = |b: &mut Builder| {
-        b.begin_statement();
-    };
-    let (program, layout) = whole(&turn, [&nothing, &nothing]);
-    let listing = Jit::listing(&program, &layout).expect("machine code");
-    // In Cranelift's IR, from the first division of a turn done at once to the next one.
-    let behind = listing.split("sdiv").nth(1).expect("two divisions");
-    assert!(behind.contains("load.i16") && behind.contains("store"), "{behind}");
-}

@@ -8,7 +8,7 @@ use crate::markdown;
 use crate::workspace::TextFile;
 
 /// Tasks of `cargo xtask`.
-const TASKS: &[&str] = &["aarch64", "clients", "test", "tidy", "generate", "fuzz", "soak", "vsix", "web", "screenshots", "help"];
+const TASKS: &[&str] = &["aarch64", "ablate", "clients", "test", "tidy", "generate", "fuzz", "soak", "vsix", "web", "screenshots", "help"];
 
 /// Where each verb of `sieben` has its file.
 const VERBS: &str = "crates/app/src/commands/";

@@ -59,6 +59,11 @@ pub(crate) fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
+/// The geometric mean.
+pub(crate) fn mean(ratios: &[f64]) -> f64 {
+    ratios.iter().product::<f64>().powf(1.0 / ratios.len() as f64)
+}
+
 /// A file of the folder `benches`.
 pub(crate) fn read(file: &str) -> String {
     let path = root().join("benches").join(file);

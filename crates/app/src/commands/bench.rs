@@ -9,7 +9,8 @@ use rustix::time::{ClockId, clock_gettime};
 use serde_json::{Value, json};
 use sieben_cpu::{Cpu, Loaded, OperatingMode, Restart};
 use sieben_engine::{Layout, Machine, Program, StatementEvent, Tracer};
-use sieben_jit::{StatusBits, Tier, Tiers};
+use sieben_jit::{Pass, PassSet, StatusBits, Tier, Tiers};
+use sieben_model::problems::Problem;
 use sieben_sim::names::Name;
 use sieben_workspace::controller;
 use sieben_workspace::duration;
@@ -18,7 +19,7 @@ use sieben_workspace::schedule;
 
 use crate::arguments::ProgramArguments;
 use crate::duration::cycle_argument;
-use crate::engines::EngineArgument;
+use crate::engines::{self, EngineArgument};
 use crate::failure::{Exit, Failure};
 use crate::instances::{self, Instances};
 use crate::output;
@@ -36,6 +37,7 @@ const COLD_SCANS: usize = 15;
   sieben bench plant.awl\n  \
   sieben bench plant.awl --engine interpreter --json\n  \
   sieben bench plant.awl --engine quick  the machine code of the first scans\n  \
+  sieben bench plant --without inlining  the same machine code without one of its optimizations\n  \
   sieben bench plant --warmup-scans 1000 --show MW20\n  \
   sieben bench plant --instances 10000   ten thousand controllers in one process\n\n\
 Time is virtual; what is measured is the CPU time of the thread, process images and\n\
@@ -68,6 +70,9 @@ pub(crate) struct Arguments {
     /// Which engine runs the program
     #[arg(long, value_name = "ENGINE", default_value = "auto")]
     engine: EngineArgument,
+    /// Leave these optimizations of the machine code out
+    #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
+    without: Vec<Pass>,
     /// Print one JSON object
     #[arg(long)]
     json: bool,
@@ -148,7 +153,16 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Exit, Failure> {
         Ok(build) => build,
         Err(exit) => return Ok(exit),
     };
-    let load = |program: &_, layout: &_| arguments.engine.settled().load(program, layout, StatusBits::Needed);
+    let engine = arguments.engine.settled();
+    if !arguments.without.is_empty() && engine != EngineArgument::Jit {
+        let told = "`--without` leaves optimizations of machine code out, and this engine has none";
+        return Err(Failure::usage(Problem::P7001, told).help("leave `--engine` out"));
+    }
+    let passes = PassSet::default().without_all(&arguments.without);
+    let load = |program: &_, layout: &_| match engine {
+        EngineArgument::Jit => engines::machine_code(program, layout, StatusBits::Needed, passes),
+        engine => engine.load(program, layout, StatusBits::Needed),
+    };
     let program = Arc::new(build.compiled.program.clone());
     let settings = controller::settings(&build);
     let loaded = Loaded::new(build.cpu, Arc::clone(&program), load);

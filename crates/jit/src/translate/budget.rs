@@ -13,6 +13,7 @@ use sieben_engine::ir::{Callee, Inst};
 use super::loops::targets;
 use super::{After, Translator};
 use crate::ask::Question;
+use crate::passes::Pass;
 
 /// What a look at the budget may be for: less than the least budget of a CPU, so that the interpreter is seldom needed.
 pub(super) const WEIGHT_MAX: i64 = 24;
@@ -34,7 +35,7 @@ impl Translator<'_> {
         }
         let variable = self.budget();
         let budget = self.b.use_var(variable);
-        let left = self.less_budget(budget, taken);
+        let left = self.b.ins().iadd_imm_s(budget, -taken);
         self.b.def_var(variable, left);
         self.taken -= taken;
     }
@@ -77,7 +78,12 @@ impl Translator<'_> {
 
     /// Looks at the budget in front of a statement that enters blocks, if no look before is for them.
     pub(super) fn look_at_budget(&mut self) {
-        if self.look.is_some() || !self.options.optimize || self.called_only() || !self.outer.is_empty() || !self.enters_blocks_once() {
+        if self.look.is_some()
+            || !self.options.does(Pass::SafepointCoalescing)
+            || self.called_only()
+            || !self.outer.is_empty()
+            || !self.enters_blocks_once()
+        {
             return;
         }
         let index = self.looks.len();
@@ -95,7 +101,11 @@ impl Translator<'_> {
 
     /// Whether the function begins with a look at the budget: if its first statement enters blocks.
     pub(super) fn looks_at_the_beginning(&self) -> bool {
-        self.options.optimize && !self.called_only() && self.outer.is_empty() && self.statement == 0 && self.enters_blocks_once()
+        self.options.does(Pass::SafepointCoalescing)
+            && !self.called_only()
+            && self.outer.is_empty()
+            && self.statement == 0
+            && self.enters_blocks_once()
     }
 
     /// The safe point at the beginning of a function of this weight and the look in front of its first statement, as one comparison.

@@ -3,13 +3,12 @@
 //! may have changed it, and where code meets only what is the same value on all ways.
 //!
 //! A piece is four bytes if the code looks at bits of more than one of them and at nothing else in them, else it is one byte: a load of
-//! four bytes behind a store of two of them would have to wait for it. Where many bits of a piece are written, they wait apart: see
-//! `bits_apart.rs`.
+//! four bytes behind a store of two of them would have to wait for it.
 
 use std::ops::Range;
 
 use cranelift_codegen::ir::types::I32;
-use cranelift_codegen::ir::{Endianness, InstBuilder, InstructionData, MemFlagsData, Opcode, StackSlot, Value};
+use cranelift_codegen::ir::{Endianness, InstBuilder, InstructionData, MemFlagsData, Opcode, Value};
 use cranelift_frontend::Variable;
 use rustc_hash::{FxHashMap, FxHashSet};
 use sieben_engine::ir::Inst;
@@ -95,8 +94,6 @@ struct Waiting {
     bits: Option<Value>,
     /// Bits that were written lately, the last one first: who reads one of them need not wait for those behind it.
     recent: [Option<(u8, Val)>; RECENT],
-    /// The bytes of the stack in which bits wait, and which bits do.
-    apart: (Option<StackSlot>, u32),
     /// The ones and the bits without the one that was written last: if it is written again before another one, what put it among the others is
     /// not needed.
     others: (u32, Option<Value>),
@@ -116,15 +113,7 @@ pub(super) struct KnownMemory {
 }
 
 impl KnownMemory {
-    /// Keeps what is known on another way, too.
-    pub(super) fn keep_common(&mut self, other: &Self) {
-        self.bits.retain(|known| other.bits.contains(known));
-        self.numbers.keep_common(&other.numbers);
-        self.words.keep_common(&other.words);
-        self.keep_others(other);
-    }
-
-    /// The same where both ways meet: variables hold what is not the same on both.
+    /// Keeps what is known on another way, too, where both meet: variables hold what is not the same on both.
     pub(super) fn meet(&mut self, other: &Self) {
         self.bits.retain_mut(|(piece, bits)| {
             let other = other.bits.iter().find(|(own, _)| own == piece);
@@ -135,10 +124,6 @@ impl KnownMemory {
         });
         self.numbers.keep_common(&other.numbers);
         self.words.meet(&other.words);
-        self.keep_others(other);
-    }
-
-    fn keep_others(&mut self, other: &Self) {
         self.elements.keep_common(&other.elements);
         self.timers.retain(|timer| other.timers.contains(timer));
         self.counts.retain(|count| other.counts.contains(count));
@@ -185,12 +170,6 @@ impl Translator<'_> {
         if let Some(waiting) = self.bytes.waiting.iter().find(|waiting| waiting.piece == piece)
             && waiting.mask & 1 << at != 0
         {
-            if waiting.apart.1 & 1 << at != 0
-                && let Some(slot) = waiting.apart.0
-            {
-                let recent = waiting.recent.into_iter().flatten().find(|&(own, _)| own == at);
-                return recent.map_or_else(|| self.bit_apart(slot, at), |(_, value)| value);
-            }
             return match waiting.bits {
                 // The only bit that was written.
                 Some(value) if waiting.mask == 1 => Val::Bit { value, clean: true },
@@ -235,13 +214,7 @@ impl Translator<'_> {
         self.settle_shared(piece, true);
         let mut waiting = match self.bytes.waiting.iter().position(|waiting| waiting.piece == piece) {
             Some(index) => self.bytes.waiting.remove(index),
-            None => {
-                let slot = self.are_apart(piece).then(|| {
-                    let used: Vec<StackSlot> = self.bytes.waiting.iter().filter_map(|waiting| waiting.apart.0).collect();
-                    self.bytes_for_bits(&used)
-                });
-                Waiting { piece, mask: 0, ones: 0, bits: None, recent: [None; RECENT], apart: (slot, 0), others: (0, None) }
-            }
+            None => Waiting { piece, mask: 0, ones: 0, bits: None, recent: [None; RECENT], others: (0, None) },
         };
         let bit = 1u32 << at;
         if waiting.recent[0].is_some_and(|(last, _)| last == at) {
@@ -256,14 +229,9 @@ impl Translator<'_> {
         let same = waiting.recent[..kept].iter().position(|recent| recent.is_none_or(|(own, _)| own == at)).unwrap_or(kept - 1);
         waiting.recent[..=same].rotate_right(1);
         waiting.recent[0] = Some((at, value));
-        waiting.apart.1 &= !bit;
         match value {
             Val::Const(0) => {}
             Val::Const(_) => waiting.ones |= bit,
-            value if let Some(slot) = waiting.apart.0.filter(|_| !self.copies_with_neighbour(self.statement)) => {
-                waiting.recent[0] = Some((at, self.put_apart(slot, at, value)));
-                waiting.apart.1 |= bit;
-            }
             value => {
                 let (new, others) = self.bits_of_one_number(value, at, waiting.bits);
                 if self.is_alone(new, at) && matches!(value, Val::At { .. } | Val::Bit { clean: false, .. }) {
@@ -334,20 +302,10 @@ impl Translator<'_> {
 
     /// Which bit of its piece some instructions write last, if they write one at an address known beforehand.
     pub(super) fn written_bit(&mut self, insts: &[Inst]) -> Option<u8> {
-        let (piece, at) = self.written_in_piece(insts)?;
-        let apart = match self.bytes.waiting.iter().find(|waiting| waiting.piece == piece) {
-            Some(waiting) => waiting.apart.0.is_some(),
-            None => self.are_apart(piece),
-        };
-        Some(if apart { 0 } else { at })
-    }
-
-    /// The piece to which some instructions write a bit last, and which one of it, if they do and it is known beforehand.
-    pub(super) fn written_in_piece(&mut self, insts: &[Inst]) -> Option<(Piece, u8)> {
         let Some(Inst::Store { place, width: Width::Bit, .. }) = insts.last() else { return None };
         let (base, offset) = self.constant_address(*place, Width::Bit)?;
         let (_, position) = self.constant_position(*place)?;
-        Some(self.piece_at(base, offset, (position % 8) as u8))
+        Some(self.piece_at(base, offset, (position % 8) as u8).1)
     }
 
     fn piece_at(&mut self, base: Base, offset: i32, number: u8) -> (Piece, u8) {
@@ -452,7 +410,7 @@ impl Translator<'_> {
         let is_byte = |piece: &Piece| piece.base == base && piece.bytes == 1;
         let mut waits = false;
         for waiting in self.bytes.waiting.iter().filter(|waiting| waiting.piece.meets(base, &bytes)) {
-            if !is_byte(&waiting.piece) || waiting.apart.1 != 0 {
+            if !is_byte(&waiting.piece) {
                 return None;
             }
             waits = true;
@@ -522,14 +480,7 @@ impl Translator<'_> {
 
     /// A piece with the bits that wait for their store.
     fn with_waiting_bits(&mut self, waiting: Waiting) -> Value {
-        let Waiting { piece, mask, ones, bits, apart, .. } = waiting;
-        let bits = match apart {
-            (Some(slot), apart @ 1..) => {
-                let apart = self.bits_from_apart(slot, apart);
-                Some(bits.map_or(apart, |bits| self.b.ins().bor(bits, apart)))
-            }
-            _ => bits,
-        };
+        let Waiting { piece, mask, ones, bits, .. } = waiting;
         let others = piece.mask() & !mask & !self.needless_bits(piece);
         let kept = match others {
             0 => None,

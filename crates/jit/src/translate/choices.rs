@@ -7,6 +7,7 @@ use sieben_model::address::Width;
 
 use super::Translator;
 use super::value::Val;
+use crate::passes::Pass;
 
 /// Longer statements are jumped over.
 const INSTRUCTIONS_MAX: usize = 8;
@@ -108,16 +109,11 @@ impl Translator<'_> {
         true
     }
 
-    /// Whether what a branch jumps over is written out as a choice.
-    pub(super) fn is_choice(&self, index: u32, to: u32) -> bool {
-        self.choice_of(index, to).is_some()
-    }
-
     fn choice_of(&self, index: u32, to: u32) -> Option<Chosen> {
         let next = self.statement + 1;
         let code = &self.native().code;
         let is_last = code.statements.get(next as usize) == Some(&(index + 1));
-        if !self.options.optimize || !is_last {
+        if !self.options.does(Pass::IfConversion) || !is_last {
             return None;
         }
         let variable = self.written_by_plain(next)?;

@@ -22,6 +22,7 @@ use super::instance_pointer::InstancePointer;
 use super::ranges::{self, Interval};
 use super::{Find, bit_of};
 use crate::jit::Native;
+use crate::passes::{Pass, PassSet};
 
 mod texts;
 
@@ -233,11 +234,11 @@ pub(super) fn own_local(pointer: u64) -> Option<u32> {
 pub(super) fn find(
     blocks: &[Native],
     find: Find<'_>,
-    layout: &Layout,
+    (layout, passes): (&Layout, PassSet),
     plans: &[Plan],
     pointers: &[InstancePointer],
 ) -> Vec<Option<Effects>> {
-    let world = World::new(layout);
+    let world = if passes.has(Pass::SymbolicSummaries) { World::new(layout) } else { None };
     let (looked, found) = (vec![false; blocks.len()], vec![None; blocks.len()]);
     let mut search = Search { blocks, find, layout, plans, pointers, world: world.as_ref(), looked, found };
     (0..blocks.len()).for_each(|index| search.of_block(index));

@@ -15,6 +15,7 @@ use super::memory::{Address, Bit};
 use super::promote::{Base, Computed};
 use super::spacing::Spacing;
 use super::value::Val;
+use crate::passes::Pass;
 
 /// Elements that are remembered, the newest ones.
 const KNOWN_MAX: usize = 6;
@@ -69,7 +70,7 @@ impl Translator<'_> {
         write: bool,
     ) -> Option<Address> {
         let is_part = offset < 1 << 19 && (width == Width::Bit || offset % 8 == 0);
-        if !self.options.optimize || self.cold.is_some() || !is_part {
+        if !self.options.does(Pass::AddressReuse) || self.cold.is_some() || !is_part {
             return None;
         }
         let pointer = self.int(pointer);

@@ -88,7 +88,7 @@ impl Translator<'_> {
         if let Some(turn) = self.turn_of(statement) {
             return self.look_at_next_turn(turn, left, go_on);
         }
-        let used_up = self.counted_down().unwrap_or_else(|| self.b.ins().icmp_imm_s(IntCC::SignedLessThan, left, 0));
+        let used_up = self.b.ins().icmp_imm_s(IntCC::SignedLessThan, left, 0);
         self.ask_if_used_up(used_up, statement, go_on, asked);
     }
 
@@ -221,7 +221,6 @@ impl Translator<'_> {
                 self.words = words;
                 self.look_at_turn(&it);
                 if idle.is_none() && !self.is_at_once(&it) {
-                    self.count_budget(&it);
                     self.keep_lengths_in(&it);
                 }
             }
@@ -293,11 +292,10 @@ impl Translator<'_> {
         for (way, to, arrival) in std::mem::take(&mut self.ways) {
             self.b.switch_to_block(way);
             self.b.seal_block(way);
-            let (taken, counted) = (self.taken, self.counted);
+            let taken = self.taken;
             self.leave_loops(to);
             if to > self.statement {
                 self.b.ins().jump(arrival, &[]);
-                self.counted = counted;
                 continue;
             }
             let weight = self.native().weight_of_jump((self.statement, to));
@@ -306,7 +304,7 @@ impl Translator<'_> {
             let look = self.look.take();
             let asked = self.behind_question(to, arrival);
             self.count_down(weight, to, arrival, asked);
-            (self.statement, self.taken, self.look, self.counted) = (from, taken, look, counted);
+            (self.statement, self.taken, self.look) = (from, taken, look);
         }
     }
 

@@ -7,6 +7,7 @@ use cranelift_codegen::ir::{InstBuilder, StackSlotData, StackSlotKind};
 use sieben_engine::ir::{Callee, Inst};
 
 use super::Translator;
+use crate::passes::Pass;
 
 /// IR instructions from which a function is long.
 const LONG_FUNCTION: usize = 400;
@@ -22,7 +23,7 @@ impl Translator<'_> {
         };
         let insts = &self.native().code.insts;
         let length = insts.len() + insts.iter().map(inlined).sum::<usize>();
-        if self.options.optimize && length >= LONG_FUNCTION {
+        if self.options.does(Pass::LiveRangeSplitting) && length >= LONG_FUNCTION {
             let slot = self.b.create_sized_stack_slot(StackSlotData::new(StackSlotKind::ExplicitSlot, 8, 3));
             self.b.ins().stack_store(I64, self.arena, slot, 0);
             self.arena_slot = Some(slot);

@@ -41,7 +41,6 @@ impl Translator<'_> {
             Op::Select => self.choose(a, b, c),
             Op::Gate => self.choose(b, a, Val::Const(0)),
             Op::IsNonzero => self.compare(IntCC::NotEqual, a, Val::Const(0)),
-            Op::Equal if let Some(bit) = self.tested_bit(false, a, b) => bit,
             Op::Equal => self.compare(IntCC::Equal, a, b),
             Op::Below => self.compare(IntCC::UnsignedLessThan, a, b),
 
@@ -304,7 +303,6 @@ impl Translator<'_> {
                     Val::Const(0)
                 }
             }
-            (a, b) if let Some(both) = self.compares_next(a, b) => both,
             (a, b) => {
                 let clean = self.is_clean(a);
                 let (a, b, at) = self.aligned(a, b);

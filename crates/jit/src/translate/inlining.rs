@@ -379,7 +379,6 @@ impl Translator<'_> {
         self.rely_on_block();
         self.enter_block();
         self.take_arena();
-        self.keep_own_words();
         self.statements();
         self.leave_interpreted();
         let Some(outer) = self.outer.pop() else { unreachable!("it was pushed above") };

@@ -21,6 +21,7 @@ use super::ranges::{self, Fact, Interval, Ranges, Relative, Surroundings};
 use super::value::Val;
 use super::{Translator, loops};
 use crate::ask::Question;
+use crate::passes::Pass;
 
 /// Values that a computed address may be a sum of.
 const TERMS_MAX: usize = 6;
@@ -69,7 +70,7 @@ impl Translator<'_> {
         relative: Option<&Relative>,
     ) -> Ranges {
         // Code that has to be there at once is for the time until better code is there.
-        if !self.options.optimize && !self.options.exact {
+        if !self.options.optimize && !self.options.exact || !self.options.passes.has(Pass::RangeAnalysis) {
             return Ranges::default();
         }
         let constants = |value: &Option<Val>| value.and_then(Val::constant);

@@ -18,6 +18,7 @@ use super::ranges::{self, Interval, Relative};
 use super::spacing::Spacing;
 use super::value::Val;
 use super::{OPEN_BLOCKS, Translator};
+use crate::passes::Pass;
 
 /// How far the computation of a value is followed back.
 const DEPTH_MAX: usize = 12;
@@ -199,7 +200,7 @@ impl Translator<'_> {
 
     /// The instance, if the block that begins now reaches it by AR2 and nothing else.
     pub(super) fn relative_instance(&self) -> Option<Relative> {
-        let it = self.in_range?;
+        let it = self.in_range.filter(|_| self.options.passes.has(Pass::BaseRelative))?;
         let instance = *self.computed.get(&it.address)?;
         let is_bounded = |inst: &Inst| match inst {
             Inst::Call { callee: Callee::Block(id), .. } => (self.find)(*id).is_some_and(|code| {

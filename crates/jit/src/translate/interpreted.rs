@@ -14,6 +14,7 @@ use super::loops::{self, Loop, targets};
 use super::value::Val;
 use super::{Translator, bit_of};
 use crate::ask::Question;
+use crate::passes::Pass;
 use crate::run::Link;
 use crate::turn::span;
 
@@ -54,7 +55,7 @@ pub(super) struct Interpreted {
 impl Translator<'_> {
     /// Looks in front of a loop at the budget for its first turn, if its turns enter blocks and nothing that could take long.
     pub(super) fn look_at_turn(&mut self, it: &Loop) {
-        if !self.options.optimize || self.cold.is_some() || self.taken != 0 || !self.enters_small_blocks(it) {
+        if !self.options.does(Pass::RegionExit) || self.cold.is_some() || self.taken != 0 || !self.enters_small_blocks(it) {
             return;
         }
         let front = self.arrivals.get(&it.first).map(|arrival| arrival.block);
@@ -64,7 +65,7 @@ impl Translator<'_> {
     /// Looks at the budget in front of a statement that enters blocks, if no look before is for them: for all statements from there up to one
     /// to which each way through them comes.
     pub(super) fn look_at_statements(&mut self) {
-        if self.look.is_some() || !self.options.optimize || self.cold.is_some() {
+        if self.look.is_some() || !self.options.does(Pass::RegionExit) || self.cold.is_some() {
             return;
         }
         if let Some(last) = self.last_of_piece() {

@@ -392,7 +392,7 @@ impl Translator<'_> {
 
     /// First byte and number of bytes of I, Q or M, to which a pointer leads; none if it leads elsewhere. They stand in a table under their codes,
     /// 16#81 to 16#83; it has 16 places, and the code chooses without a branch.
-    pub(super) fn area_by_code(&mut self, bits: Value) -> (Value, Value) {
+    fn area_by_code(&mut self, bits: Value) -> (Value, Value) {
         let group = self.b.ins().ushr_imm_u(bits, 28);
         let known = self.b.ins().icmp_imm_u(IntCC::Equal, group, 8);
         let code = self.b.ins().ushr_imm_u(bits, 24);
@@ -409,7 +409,7 @@ impl Translator<'_> {
 
     /// First byte and number of bytes of the local data of the caller, if a pointer leads there, else those of another area. The local data of
     /// the caller end where those of this block begin. A pointer that was passed on further is asked for.
-    pub(super) fn or_of_caller(&mut self, bits: Value, (start, length): (Value, Value)) -> (Value, Value) {
+    fn or_of_caller(&mut self, bits: Value, (start, length): (Value, Value)) -> (Value, Value) {
         if !self.called_only() {
             return (start, length);
         }

@@ -5,6 +5,7 @@ use sieben_engine::ir::Op;
 
 use super::Translator;
 use super::value::Val;
+use crate::passes::Pass;
 
 /// Entries that the nesting stack takes.
 const ENTRIES: usize = 7;
@@ -24,6 +25,9 @@ struct Top {
 impl Translator<'_> {
     /// The result of an operation of the nesting stack, if what is on it is known.
     pub(super) fn nesting(&mut self, op: Op, args: &[Val]) -> Option<Val> {
+        if !self.options.passes.has(Pass::BracketPromotion) {
+            return None;
+        }
         if let Op::NestingEntry | Op::NestingPush = op {
             let known = args.iter().all(|arg| arg.constant().is_some());
             return (!known).then(|| self.waits(op, args));

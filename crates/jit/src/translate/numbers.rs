@@ -14,6 +14,7 @@ use super::promote::Base;
 use super::text_order::WORD;
 use super::texts::Whole;
 use super::value::Val;
+use crate::passes::Pass;
 
 /// Numbers that are remembered, the newest ones: more would keep registers that the code needs.
 const KNOWN_MAX: usize = 24;
@@ -132,7 +133,7 @@ impl Translator<'_> {
 
     /// Remembers what was read or written at a computed address. What shares bytes with it is forgotten already if it was written.
     pub(super) fn remember_number(&mut self, address: Address, width: Width, value: Val) {
-        if width == Width::Bit || !self.options.optimize || self.cold.is_some() {
+        if width == Width::Bit || !self.options.does(Pass::LoadElimination) || self.cold.is_some() {
             return;
         }
         let Some(base) = self.base_of_number(address) else { return };
@@ -168,7 +169,7 @@ impl Translator<'_> {
     /// What the address of bytes that are remembered is counted from: it is known, and no register stands for any of them.
     fn base_of_copy(&self, address: Address, bytes: u32) -> Option<Base> {
         let is_known = address.base == self.local || address.base == self.arena || self.computed.contains_key(&address.base);
-        if !is_known || bytes > COPIED_BYTES_MAX || !self.options.optimize || self.cold.is_some() {
+        if !is_known || bytes > COPIED_BYTES_MAX || !self.options.does(Pass::LoadElimination) || self.cold.is_some() {
             return None;
         }
         let base = self.known_base(address.base);
@@ -190,7 +191,7 @@ impl Translator<'_> {
     /// Remembers how many characters of a text count. What shares bytes with it is forgotten already if they were written.
     pub(super) fn remember_characters(&mut self, text: &Whole, characters: Characters) {
         let Some(base) = self.base_of_text(text) else { return };
-        if !self.options.optimize || self.cold.is_some() {
+        if !self.options.does(Pass::LoadElimination) || self.cold.is_some() {
             return;
         }
         let lengths = &mut self.bytes.numbers.1;

@@ -16,12 +16,10 @@ use sieben_model::block::BlockId;
 
 use super::outside::{self, Functions};
 use super::versions::Versions;
-use super::{
-    Program, Translator, analysis, branches, effects, gates, inlining, instance_needs, instance_pointer, near_reads, reals_as_read,
-    whole_products,
-};
+use super::{Program, Translator, analysis, effects, gates, inlining, instance_needs, instance_pointer, near_reads};
 use crate::entry::Generation;
 use crate::jit::Native;
+use crate::passes::{Pass, PassSet};
 use crate::run::{LINKS, Room};
 
 /// How a program is compiled.
@@ -39,11 +37,28 @@ pub(crate) struct Options {
     pub(crate) forgets_locals: bool,
     /// Whether the code is kept as text, for people.
     pub(crate) lists: bool,
+    /// Which optimizations are used.
+    pub(crate) passes: PassSet,
+}
+
+impl Options {
+    /// Whether an optimization is used.
+    pub(crate) fn does(&self, pass: Pass) -> bool {
+        self.optimize && self.passes.has(pass)
+    }
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { inline: true, exact: true, optimize: false, asks_before_writing: false, forgets_locals: false, lists: false }
+        Self {
+            inline: true,
+            exact: true,
+            optimize: false,
+            asks_before_writing: false,
+            forgets_locals: false,
+            lists: false,
+            passes: PassSet::default(),
+        }
     }
 }
 
@@ -81,12 +96,27 @@ fn instruction_set(level: &str, algorithm: &str, machine: Machine) -> Result<Own
     set(&mut flags, "is_pic", "false")?;
     // Frames have a limit below, so that nobody has to look for the end of the stack.
     set(&mut flags, "enable_probestack", "false")?;
-    let verified = machine != Machine::This;
+    let verified = match machine {
+        Machine::This => false,
+        #[cfg(target_arch = "x86_64")]
+        Machine::Counted => false,
+        #[cfg(feature = "aarch64")]
+        Machine::Aarch64 => true,
+    };
     set(&mut flags, "enable_verifier", if verified { "true" } else { "false" })?;
     // Nobody unwinds through machine code: what it calls never panics into it.
     set(&mut flags, "unwind_info", "false")?;
     let builder = match machine {
         Machine::This => cranelift_native::builder().map_err(|message| format!("this machine is not supported: {message}"))?,
+        #[cfg(target_arch = "x86_64")]
+        Machine::Counted => {
+            let mut builder =
+                cranelift_codegen::isa::lookup_by_name("x86_64-unknown-linux-gnu").map_err(|error| format!("no x86-64: {error}"))?;
+            for feature in COUNTED_FEATURES {
+                builder.set(feature, "true").map_err(|error| error.to_string())?;
+            }
+            builder
+        }
         #[cfg(feature = "aarch64")]
         Machine::Aarch64 => {
             cranelift_codegen::isa::lookup_by_name("aarch64-unknown-linux-gnu").map_err(|error| format!("no aarch64: {error}"))?
@@ -95,11 +125,30 @@ fn instruction_set(level: &str, algorithm: &str, machine: Machine) -> Result<Own
     builder.finish(settings::Flags::new(flags)).map_err(|error| error.to_string())
 }
 
+/// The features of the x86-64 processor for which code is counted: those of processors since 2013.
+#[cfg(target_arch = "x86_64")]
+const COUNTED_FEATURES: [&str; 11] = [
+    "has_sse3",
+    "has_ssse3",
+    "has_sse41",
+    "has_sse42",
+    "has_popcnt",
+    "has_avx",
+    "has_avx2",
+    "has_fma",
+    "has_bmi1",
+    "has_bmi2",
+    "has_lzcnt",
+];
+
 /// The machine that code is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Machine {
     /// This one.
     This,
+    /// A fixed one, so that the bytes of code are the same wherever they are counted; the code never runs.
+    #[cfg(target_arch = "x86_64")]
+    Counted,
     /// Another one, whose code is checked and never runs.
     #[cfg(feature = "aarch64")]
     Aarch64,
@@ -152,6 +201,12 @@ pub(crate) fn aarch64_bytes(blocks: &[Native], find: Find<'_>, layout: &Layout, 
     Ok(write(blocks, find, layout, options, Machine::Aarch64)?.bytes)
 }
 
+/// The bytes of the code of all blocks for a fixed processor.
+#[cfg(target_arch = "x86_64")]
+pub(crate) fn counted_bytes(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options) -> Result<usize, String> {
+    Ok(write(blocks, find, layout, options, Machine::Counted)?.bytes)
+}
+
 /// Writes the code of all blocks for a machine.
 fn write(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options, machine: Machine) -> Result<Written, String> {
     let isa = instruction_set("none", if options.optimize { "backtracking" } else { "single_pass" }, machine)?;
@@ -175,8 +230,12 @@ fn write(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options, m
     let needs = instance_needs::find(blocks, &pointers, find);
     let mut versions = Versions::new(&mut module, blocks, find, needs, options.optimize).map_err(|error| error.to_string())?;
     let summaries = analysis::summaries(blocks, find, options.exact);
-    let plans = inlining::plan(blocks, find);
-    let effects = effects::find(blocks, find, layout, &plans, &pointers);
+    let passes = options.passes;
+    let plans = if passes.has(Pass::Inlining) { inlining::plan(blocks, find) } else { vec![inlining::Plan::default(); blocks.len()] };
+    let effects = match passes.has(Pass::ModRef) {
+        true => effects::find(blocks, find, (layout, passes), &plans, &pointers),
+        false => vec![None; blocks.len()],
+    };
     let mut context = module.make_context();
     let mut frontend = FunctionBuilderContext::new();
     let mut listing = String::new();
@@ -221,7 +280,8 @@ fn write(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options, m
         if options.lists {
             listing += &format!("{}\n{}\n", blocks[index].id, context.func.display());
         }
-        let sets = Sets { other: for_loops, for_room: &for_room, frame_limit, quick: quick.as_ref().filter(|_| is_too_long) };
+        let quick = quick.as_ref().filter(|_| is_too_long);
+        let sets = Sets { other: for_loops, for_room: &for_room, frame_limit, quick, passes };
         define(&mut module, function, &mut context, sets).map_err(|error| format!("{}: {error}", blocks[index].id))?;
         listing += context.compiled_code().and_then(|code| code.vcode.as_deref()).unwrap_or_default();
         let code = context.compiled_code().map_or(&[][..], |code| code.code_buffer());
@@ -244,6 +304,7 @@ struct Sets<'a> {
     /// What it is compiled for if it is optimized, or if its frame has more bytes than this.
     for_room: &'a OwnedTargetIsa,
     frame_limit: usize,
+    passes: PassSet,
 }
 
 /// Compiles a function.
@@ -258,10 +319,9 @@ fn define(module: &mut JITModule, id: FuncId, context: &mut Context, sets: Sets<
         None => sets.quick.map_or(module.isa(), |quick| &**quick),
         Some(other) => {
             context.optimize(&**other, &mut ControlPlane::default()).map_err(ModuleError::from)?;
-            reals_as_read::turn_as_reals(&mut context.func);
-            whole_products::widen(&mut context.func);
-            near_reads::bring_nearer(&mut context.func);
-            branches::part(&mut context.func);
+            if sets.passes.has(Pass::LoadSinking) {
+                near_reads::bring_nearer(&mut context.func);
+            }
             // It is optimized.
             &**sets.for_room
         }

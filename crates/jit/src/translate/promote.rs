@@ -25,12 +25,8 @@ use super::spacing::{Spaced, Spacing};
 use super::value::Val;
 use super::{TRUSTED, Translator};
 use crate::jit::loop_heads;
+use crate::passes::Pass;
 use crate::run::Run;
-
-mod counted;
-mod locals;
-
-pub(super) use counted::Counted;
 
 /// Variables that are kept at the same time and that a loop uses; more would be kept on the stack, which is memory too.
 const PROMOTED_MAX: usize = 8;
@@ -159,8 +155,6 @@ pub(super) struct Promoted {
     written: bool,
     /// In how many blocks around it the block lies whose statements hand them on, if nobody needs them between these.
     handed: Option<usize>,
-    /// Whether they are a number in the local data of the running block that nobody else sees.
-    own: bool,
     /// First and last statement of the loop.
     first: u32,
     last: u32,
@@ -170,7 +164,7 @@ impl Promoted {
     /// What the register stands for as long as the block runs.
     fn in_block(base: Base, offset: i32, width: Width, variable: Variable) -> Self {
         let (first, last) = (0, u32::MAX);
-        Self { base, offset, width, in_data_block: false, variable, real: None, written: true, handed: None, own: false, first, last }
+        Self { base, offset, width, in_data_block: false, variable, real: None, written: true, handed: None, first, last }
     }
 
     fn is_in(&self, statement: u32) -> bool {
@@ -182,7 +176,7 @@ impl Promoted {
         let behind = byte.checked_sub(self.offset)?;
         let last = self.width.bytes() as i32 - 1;
         let is_here = (0..=last).contains(&behind) && holds_bits(self.width) && self.real.is_none();
-        (is_here && (last == 0 || !self.own)).then(|| 8 * (last - behind) as u8 + number)
+        is_here.then(|| 8 * (last - behind) as u8 + number)
     }
 
     fn overlaps(&self, touched: &Touched) -> bool {
@@ -262,21 +256,18 @@ impl Translator<'_> {
         self.promoted.iter().copied().filter(|it| it.is_in(self.statement)).collect()
     }
 
-    /// The variables that hold what is kept at the running statement, without the budget.
-    pub(super) fn held(&self) -> Vec<Variable> {
-        let kept = self.kept().into_iter().filter(|it| it.base != Base::Run);
-        kept.flat_map(|it| [Some(it.variable), it.real]).flatten().collect()
-    }
-
     /// Chooses what a loop keeps and loads it, in front of the loop. Registers that it changes are not known here.
     pub(super) fn promote(&mut self, it: &Loop) {
+        if !self.options.passes.has(Pass::ScalarPromotion) {
+            return;
+        }
         if !it.asks_for_texts || !self.keeps_over_calls(it) {
             return;
         }
         let (candidates, mut used) = self.candidates(it);
         let mut candidates: Vec<_> = candidates.into_iter().collect();
         // A block that becomes part of the loop may write what the loop itself only reads.
-        let blocks_write = !it.calls_nothing && !self.calls_write_locals_only(it);
+        let blocks_write = !it.calls_nothing;
         let order = |candidate: &Candidate| (candidate.handed, std::cmp::Reverse((candidate.written, candidate.weight)));
         candidates.sort_by_key(|(place, candidate)| (order(candidate), *place));
         for ((base, offset), candidate) in candidates {
@@ -384,8 +375,7 @@ impl Translator<'_> {
         };
         let variable = self.b.declare_var(type_of(width));
         let handed = handed.then_some(self.outer.len());
-        let promoted =
-            Promoted { base, offset, width, in_data_block, variable, real, written, handed, own: false, first: it.first, last: it.last };
+        let promoted = Promoted { base, offset, width, in_data_block, variable, real, written, handed, first: it.first, last: it.last };
         match handed {
             Some(_) => self.reset(promoted),
             None => self.take(promoted),
@@ -407,12 +397,6 @@ impl Translator<'_> {
             let real = if promoted.width == Width::QuadWord { self.b.ins().f64const(0.0) } else { self.b.ins().f32const(0.0) };
             self.b.def_var(variable, real);
         }
-    }
-
-    /// Keeps a number of the block that begins now, which writes it before it reads it.
-    pub(super) fn keep_own(&mut self, base: Base, offset: i32, width: Width) {
-        let variable = self.b.declare_var(type_of(width));
-        self.promoted.push(Promoted { own: true, ..Promoted::in_block(base, offset, width, variable) });
     }
 
     /// Bytes that all accesses of a loop that touch them name in the same way; and how many variables it uses that are kept already.
@@ -655,11 +639,6 @@ impl Translator<'_> {
     /// The value of an address that a register stands for.
     pub(super) fn read_promoted(&mut self, address: Address, width: Width) -> Option<Val> {
         let promoted = self.promoted_at(address, width)?;
-        if promoted.own
-            && let Some(known) = self.known_word(address, width)
-        {
-            return Some(known);
-        }
         let value = self.b.use_var(promoted.variable);
         if !self.changes_in_innermost_loop(&promoted) {
             self.fixed.insert(value);
@@ -697,9 +676,6 @@ impl Translator<'_> {
     /// Writes to an address that a register stands for; whether one does.
     pub(super) fn write_promoted(&mut self, address: Address, width: Width, value: Val) -> bool {
         let Some(promoted) = self.promoted_at(address, width) else { return false };
-        if promoted.own {
-            self.remember_word(address, width, value);
-        }
         if let Some(variable) = promoted.real {
             let real = if width == Width::QuadWord { self.f64(value) } else { self.f32(value) };
             self.b.def_var(variable, real);
@@ -719,8 +695,7 @@ impl Translator<'_> {
             (Width::DoubleWord, _) => self.int(value),
             (width, _) => self.low_bits(value, width),
         };
-        let is_step = std::mem::take(&mut self.steps);
-        self.define(&promoted, value, is_step);
+        self.b.def_var(promoted.variable, value);
         true
     }
 
@@ -767,16 +742,6 @@ impl Translator<'_> {
         self.take_overlapping(&touched);
     }
 
-    /// Stores what an access to any memory may touch: not the budget.
-    pub(super) fn store_promoted_memory(&mut self) {
-        self.store_overlapping(&Touched::Anything);
-    }
-
-    /// Takes again what a write to any memory may have changed.
-    pub(super) fn take_promoted_memory(&mut self) {
-        self.take_overlapping(&Touched::Anything);
-    }
-
     /// Stores what an access to some of these bytes may touch.
     pub(super) fn store_promoted_in(&mut self, (base, bytes): &(Base, Range<i64>)) {
         self.store_overlapping(&Touched::Bytes(*base, bytes.clone()));
@@ -821,13 +786,11 @@ impl Translator<'_> {
 
     /// Whether something is kept here that is not kept at another statement.
     pub(super) fn leaves_loop(&self, to: u32) -> bool {
-        self.promoted.iter().any(|it| it.is_in(self.statement) && !it.is_in(to)) || self.leaves_counted(to)
+        self.promoted.iter().any(|it| it.is_in(self.statement) && !it.is_in(to))
     }
 
-    /// Stores what is kept here and not at the statement that follows, but for what only this one hands on. The budget counts by itself from
-    /// here on.
+    /// Stores what is kept here and not at the statement that follows, but for what only this one hands on.
     pub(super) fn leave_loops(&mut self, to: u32) {
-        self.leave_counted(to);
         self.kept().into_iter().filter(|it| !it.is_in(to) && it.handed.is_none()).for_each(|it| self.give_back(it));
     }
 
@@ -846,15 +809,14 @@ impl Translator<'_> {
         let value = match promoted.base {
             Base::Run => {
                 let budget = self.load_budget();
-                let budget = if self.taken == 0 { budget } else { self.b.ins().iadd_imm_s(budget, self.taken) };
-                self.budget_as_kept(budget)
+                if self.taken == 0 { budget } else { self.b.ins().iadd_imm_s(budget, self.taken) }
             }
             base => {
                 let value = self.read(self.address(base, promoted.offset), promoted.width);
                 if promoted.width == Width::QuadWord { self.word(value) } else { self.int(value) }
             }
         };
-        self.define(&promoted, value, false);
+        self.b.def_var(promoted.variable, value);
         if let Some(variable) = promoted.real {
             let ty = if promoted.width == Width::QuadWord { F64 } else { F32 };
             let real = self.b.ins().bitcast(ty, MemFlagsData::new(), value);
@@ -872,7 +834,6 @@ impl Translator<'_> {
         let value = self.b.use_var(promoted.variable);
         match promoted.base {
             Base::Run => {
-                let value = self.budget_there(value);
                 let left = if self.taken == 0 { value } else { self.b.ins().iadd_imm_s(value, -self.taken) };
                 self.b.ins().store(TRUSTED, left, self.run, promoted.offset);
             }

@@ -8,6 +8,7 @@ use cranelift_codegen::ir::{InstBuilder, Value};
 
 use super::Translator;
 use super::value::Val;
+use crate::passes::Pass;
 
 /// The upper part of a product.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -95,7 +96,7 @@ impl Translator<'_> {
     pub(super) fn note_rest(&mut self, rest: Val, of: Value, divisor: u32) {
         if let Val::Int(rest) = rest
             && (2..=i32::MAX as u32).contains(&divisor)
-            && self.options.optimize
+            && self.options.does(Pass::DivisionByConstants)
         {
             self.rests.insert(rest, (of, divisor));
         }
@@ -132,7 +133,7 @@ impl Translator<'_> {
 
     fn multiplied(&mut self, a: Value, divisor: u32, range: (i64, i64)) -> Option<Value> {
         let never_negative = range.0 >= 0;
-        if !self.options.optimize || divisor < 2 || divisor > i32::MAX as u32 {
+        if !self.options.does(Pass::DivisionByConstants) || divisor < 2 || divisor > i32::MAX as u32 {
             return None;
         }
         if divisor.is_power_of_two() {
@@ -157,7 +158,7 @@ impl Translator<'_> {
 
     /// What remains of a number in 32 bits, on the same terms.
     pub(super) fn rest_by(&mut self, a: Value, divisor: u32, range: (i64, i64)) -> Option<Value> {
-        if self.options.optimize && divisor.is_power_of_two() && range.0 >= 0 {
+        if self.options.does(Pass::DivisionByConstants) && divisor.is_power_of_two() && range.0 >= 0 {
             return Some(self.b.ins().band_imm_u(a, i64::from(divisor) - 1));
         }
         let quotient = self.quotient_by(a, divisor, range)?;

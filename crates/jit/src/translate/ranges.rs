@@ -30,7 +30,6 @@ mod statements;
 pub(super) use interval::{Interval, result};
 use interval::{Number, Relation};
 pub(super) use relative::{Relative, uses};
-pub(super) use statements::step_of;
 
 /// Blocks with more instructions in loops are not looked at: it takes time that grows faster than they do.
 const INSTRUCTIONS_IN_LOOPS_MAX: usize = 6_000;
@@ -104,8 +103,6 @@ pub(super) struct Ranges {
     passed_on: FxHashSet<u32>,
     /// Ranges of results, of numbers without sign.
     results: FxHashMap<u32, (u32, u32)>,
-    /// Sums of a number and 1, and differences, that are not cut off if they are numbers with sign.
-    steps: FxHashSet<u32>,
     /// Numbers that are read and are pointers to bytes of one area, at least and at most: by instruction.
     pointers: FxHashMap<u32, (u32, u32)>,
     /// Areas to which pointers go that are not known beforehand and may name any: by instruction, and whether it is written.
@@ -142,11 +139,6 @@ impl Ranges {
     /// Data blocks that are taken to be as they were loaded.
     pub(super) fn opened(&self) -> impl Iterator<Item = u16> {
         self.opened.iter().copied()
-    }
-
-    /// Whether an instruction adds 1 to a number with sign, or subtracts it, and the result is not cut off.
-    pub(super) fn is_step(&self, inst: u32) -> bool {
-        self.steps.contains(&inst)
     }
 
     /// Whether places in the instance are counted from where it begins.
@@ -500,7 +492,6 @@ pub(super) fn find(block: &Native, around: &Surroundings<'_>) -> Ranges {
         found.positions.clone_from(&relative.uses.positions);
         // What AR2 is said to hold is no number that anybody calculates with.
         found.results.retain(|index, _| !relative.uses.pointers.contains(index));
-        found.steps.retain(|index| !relative.uses.pointers.contains(index));
         found.instances_at.clear();
     }
     found

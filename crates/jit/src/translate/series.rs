@@ -14,6 +14,7 @@ use super::loops::targets;
 use super::turns::series::{Bytes, Calls, TURNS};
 use super::value::Val;
 use super::{OPEN_BLOCKS, Translator};
+use crate::passes::Pass;
 
 /// A call of a function block with an instance in that of the caller, as statements in ST make it.
 #[derive(Clone, Debug)]
@@ -118,7 +119,7 @@ impl Translator<'_> {
     }
 
     fn may_have_series(&self) -> bool {
-        self.options.optimize
+        self.options.does(Pass::SlpCalls)
             && self.options.forgets_locals
             && !self.options.exact
             && self.cold.is_none()

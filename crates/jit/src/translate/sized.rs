@@ -75,7 +75,6 @@ impl Translator<'_> {
             Op::MaxU64 => self.extreme(Unsigned(64), IntCC::UnsignedGreaterThan, a, b),
 
             // Comparison.
-            Op::Differ if let Some(bit) = self.tested_bit(true, a, b) => bit,
             Op::Differ => self.compare(IntCC::NotEqual, a, b),
             Op::LeU64 => self.compare(IntCC::UnsignedLessThanOrEqual, a, b),
             Op::GtU64 => self.compare(IntCC::UnsignedGreaterThan, a, b),
@@ -305,9 +304,6 @@ impl Translator<'_> {
     }
 
     fn wrapped(&mut self, two: Two, bits: u32, a: Val, b: Val) -> Val {
-        if let (Two::Multiply, Some(result)) = (two, self.weighted_bit(bits, a, b)) {
-            return result;
-        }
         if let (16, Some(result)) = (bits, self.within_16_bits(two, a, b)) {
             return result;
         }

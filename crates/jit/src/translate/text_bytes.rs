@@ -320,7 +320,6 @@ impl Translator<'_> {
     /// Whether there is a word behind a text that may be read: the areas of the program are not the last bytes of memory.
     fn reads_behind(&self, text: &Whole) -> bool {
         let end = match &text.touched {
-            _ if text.found.is_some() => return true,
             Some((Base::Arena, bytes)) => bytes.end,
             Some((Base::Local, _)) => self.layout.local.end as i64,
             _ => return false,

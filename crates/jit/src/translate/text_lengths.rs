@@ -13,6 +13,7 @@ use super::memory::{Address, Bit};
 use super::numbers::Characters;
 use super::promote::Base;
 use super::texts::Whole;
+use crate::passes::Pass;
 
 /// Lengths that a loop keeps at most.
 const KEPT_MAX: usize = 2;
@@ -39,7 +40,7 @@ impl Translator<'_> {
         let code = &self.native().code;
         let calls = |statement: u32| code.statement(statement as usize).iter().any(|inst| matches!(inst, Inst::Call { .. }));
         let is_calm = it.asks_for_texts && is_innermost && !(it.first..=it.last).any(calls);
-        if !self.options.optimize || !is_calm || self.turn_of(it.first).is_some() {
+        if !self.options.does(Pass::StringLengths) || !is_calm || self.turn_of(it.first).is_some() {
             return;
         }
         for (base, offset, room) in self.grown_texts(it) {
@@ -118,6 +119,6 @@ impl Translator<'_> {
 
     fn text_of(&mut self, KeptLength { base, offset, room, .. }: KeptLength) -> Whole {
         let address = Address { base: self.address_of_base(base), offset, bit: Bit::Number(0) };
-        Whole { address, touched: None, there: room.bytes(), room, most: None, empty: false, found: None }
+        Whole { address, touched: None, there: room.bytes(), room, most: None, empty: false }
     }
 }

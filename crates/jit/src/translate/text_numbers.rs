@@ -10,6 +10,7 @@ use sieben_engine::numbers_in_texts::{NumberForm, NumberKind, Spelling};
 use super::Translator;
 use super::memory::{Address, data};
 use super::texts::Whole;
+use crate::passes::Pass;
 
 /// Characters that are worked on at once.
 const CHARACTERS: u32 = 8;
@@ -23,6 +24,9 @@ const ZEROS: i64 = ONES * b'0' as i64;
 impl Translator<'_> {
     /// Writes the digits of a whole number; how many characters there are.
     pub(super) fn put_digits(&mut self, action: TextAction, to: &Whole, number: Value) -> Option<Value> {
+        if !self.options.passes.has(Pass::StringConversion) {
+            return None;
+        }
         let room = u32::from(to.room.characters_max);
         if to.most.is_some() || room < CHARACTERS {
             return None;
@@ -109,6 +113,9 @@ impl Translator<'_> {
     /// Writes the number that at most eight digits spell, or fewer with a sign and, where it becomes a REAL or an LREAL, a point; whether it
     /// is one of its type.
     pub(super) fn number_of_text(&mut self, to: &Whole, from: &Whole, word: u64) -> Option<Value> {
+        if !self.options.passes.has(Pass::StringConversion) {
+            return None;
+        }
         let form = NumberForm::of(word);
         let (least, most) = form.kind.range();
         let [least, most] = [least, most].map(|limit| limit.clamp(i64::MIN.into(), i64::MAX.into()) as i64);

@@ -12,7 +12,6 @@ use super::memory::{Address, Bit, data, moved};
 use super::outside::Outside;
 use super::promote::Base;
 use super::ranges::TextPlace;
-use super::text_pointers::Found;
 use super::value::Val;
 use super::{After, Translator};
 use crate::ask::{Question, text_kind};
@@ -34,8 +33,6 @@ pub(super) struct Whole {
     pub(super) most: Option<Value>,
     /// Whether it is known to be empty.
     pub(super) empty: bool,
-    /// Where it was found that may lie anywhere.
-    pub(super) found: Option<Found>,
 }
 
 impl Whole {
@@ -168,10 +165,6 @@ impl Translator<'_> {
 
     /// A text with what it says itself that there is room for, and whether so many characters are there, if that has to be looked at.
     fn with_most(&mut self, text: Whole) -> (Whole, Option<Value>) {
-        if let Some(found) = text.found {
-            let (text, inside) = self.found_text(text, found);
-            return (text, Some(inside));
-        }
         if !text.room.is_unknown() {
             return (text, None);
         }
@@ -208,19 +201,9 @@ impl Translator<'_> {
     fn whole_text(&mut self, index: u32, ((place, room), is_to): ((Place, TextRoom), bool), write: bool) -> Option<Whole> {
         if let Some(known) = self.known_text((place, room), write) {
             let there = room.bytes();
-            return Some(Whole {
-                address: known.1,
-                touched: Some(touched(known, room)),
-                there,
-                room,
-                most: None,
-                empty: false,
-                found: None,
-            });
+            return Some(Whole { address: known.1, touched: Some(touched(known, room)), there, room, most: None, empty: false });
         }
-        let Some(TextPlace { bytes: touched, there, block, room: said }) = self.ranges.text(index, is_to) else {
-            return self.text_anywhere(place, room, write);
-        };
+        let TextPlace { bytes: touched, there, block, room: said } = self.ranges.text(index, is_to)?;
         let begins = touched.1.end - touched.1.start == i64::from(there);
         let address = match place {
             Place::Fixed { .. } | Place::Indirect { .. } if !room.is_unknown() => self.span(place, room.bytes(), write)?,
@@ -237,7 +220,7 @@ impl Translator<'_> {
             }
             _ => return None,
         };
-        Some(Whole { address, touched: Some(touched), there, room: said, most: None, empty: false, found: None })
+        Some(Whole { address, touched: Some(touched), there, room: said, most: None, empty: false })
     }
 
     /// The piece in one word.

@@ -14,6 +14,7 @@ use sieben_model::address::Width;
 
 use super::Translator;
 use super::loops::Loop;
+use crate::passes::Pass;
 
 mod accesses;
 mod ahead;
@@ -24,7 +25,6 @@ mod bit_sums;
 mod bits;
 mod by_four;
 mod cells;
-mod chased;
 mod copies;
 mod count;
 mod divide;
@@ -34,27 +34,17 @@ mod held;
 mod idle;
 mod in_order;
 mod kernel;
-mod late;
-mod left;
-mod left_beside;
 mod line;
 mod looked_at;
 mod masks;
-mod near_bits;
-mod nested;
-mod parted;
 mod pieces;
 mod quads;
 mod reader;
-mod real_sums;
 mod records;
 pub(super) mod series;
-mod settled;
-mod signs;
 mod simplest;
 mod spread;
 mod sums;
-mod swapped;
 pub(super) mod vector;
 mod waits;
 mod ways;
@@ -67,8 +57,6 @@ use count::Count;
 pub(super) use idle::Idle;
 use kernel::{Access, Cell, Kernel, Level, Node, What};
 use line::{Carried, Shape};
-use nested::Nested;
-use parted::Parted;
 use pieces::Gathered;
 use write::Writing;
 
@@ -95,12 +83,8 @@ struct Writes<'k> {
     gathered: Option<Gathered>,
     /// Those that make whole bytes in turns behind these ones: single turns are made up to the first bit of a byte.
     up_to: Option<Gathered>,
-    /// How the turns of the inner loop are done, if they are done side by side.
-    nested: Option<&'k Nested>,
     /// How turns side by side are done that all go the same way.
     alike: Option<&'k Alike>,
-    /// How single turns part.
-    parted: Option<&'k Parted>,
 }
 
 impl InnerTurns {
@@ -115,7 +99,7 @@ impl InnerTurns {
 
 impl Writes<'_> {
     fn lanes(lanes: u32) -> Self {
-        Self { lanes, gathered: None, up_to: None, nested: None, alike: None, parted: None }
+        Self { lanes, gathered: None, up_to: None, alike: None }
     }
 }
 
@@ -176,7 +160,7 @@ impl Translator<'_> {
 
     /// Writes a loop that copies structures as a whole.
     fn write_with_copies(&mut self, it: &Loop) {
-        if !self.options.optimize || self.has_enough_at_once() || self.is_at_once(it) {
+        if !self.options.does(Pass::LoopVersioning) || self.has_enough_at_once() || self.is_at_once(it) {
             return;
         }
         let Some(plan) = self.one_by_one(it).filter(|plan| !plan.kernel.copies.is_empty()) else { return };
@@ -221,12 +205,11 @@ impl Translator<'_> {
             return true;
         }
         let plan = Plan::of(kernel.clone());
-        let is_fast = |plan: Plan| plan.side_by_side_or_in_order().is_some() || plan.swapped().is_some() || plan.nested().is_some();
-        plan.is_some_and(is_fast) || self.inner_is_side_by_side(it)
+        plan.is_some_and(|plan| plan.side_by_side_or_in_order().is_some()) || self.inner_is_side_by_side(it)
     }
 
     fn write_at_once(&mut self, it: &Loop) -> Option<Idle> {
-        if !self.options.optimize || self.has_enough_at_once() || self.is_at_once(it) {
+        if !self.options.does(Pass::LoopVersioning) || self.has_enough_at_once() || self.is_at_once(it) {
             return None;
         }
         let kernel = reader::read(self, it).filter(Kernel::goes_on);
@@ -258,19 +241,8 @@ impl Translator<'_> {
             }
             return None;
         }
-        if plan.kernel.inner.is_some() && plan.side_by_side_or_in_order().is_none() {
-            let swapped = plan.swapped();
-            if let Some(swapped) = &swapped {
-                Writing::new(self, &plan, Writes::lanes(1)).swapped(swapped, it);
-            }
-            if let Some(nested) = plan.nested() {
-                self.note_at_once(it);
-                Writing::write(self, &plan, it, Writes { nested: Some(&nested), ..Writes::lanes(1) });
-                return None;
-            }
-            if self.inner_is_side_by_side(it) {
-                return None;
-            }
+        if plan.kernel.inner.is_some() && plan.side_by_side_or_in_order().is_none() && self.inner_is_side_by_side(it) {
+            return None;
         }
         let sums = bit_sums::read(&plan);
         let one_by_one = sums.is_none() && plan.kernel.inner.is_none() && plan.side_by_side_or_in_order().is_none();
@@ -280,29 +252,18 @@ impl Translator<'_> {
         if let Some(sums) = sums {
             self.bit_sums_at_once(&plan, &sums, it);
         }
-        if let Some(settled) = plan.kernel.settled().filter(|kernel| !kernel.repeats_itself()).and_then(Plan::of) {
-            self.write_side_by_side(&settled, it);
-            let kernel = settled.kernel.without_signs().unwrap_or(settled.kernel);
-            Writing::write(self, &Plan { kernel, ..settled }, it, Writes::lanes(1));
-        }
         let ahead = if one_by_one { self.one_by_one(it).filter(|plan| !plan.kernel.ahead.is_empty()) } else { None };
         let plan = ahead.unwrap_or(plan);
         let all_at_once = self.write_side_by_side(&plan, it);
-        let unsigned = if !all_at_once { plan.kernel.without_signs() } else { None };
-        let unsigned = unsigned.map(|kernel| Plan { kernel, count: plan.count, inner: plan.inner });
-        let fastest = unsigned.as_ref().unwrap_or(&plan);
-        let has_bits = || fastest.kernel.accesses.iter().any(|access| fastest.kernel.bits_follow(access).is_some());
+        let has_bits = || plan.kernel.accesses.iter().any(|access| plan.kernel.bits_follow(access).is_some());
         if !all_at_once && filled.is_none() && idle.is_none() && has_bits() {
-            let in_pieces = Plan { kernel: fastest.kernel.clone().with_bits_ahead(), count: fastest.count, inner: fastest.inner };
+            let in_pieces = Plan { kernel: plan.kernel.clone().with_bits_ahead(), count: plan.count, inner: plan.inner };
             if let Some(gathered) = in_pieces.kernel.gathered() {
                 Writing::write(self, &in_pieces, it, Writes { up_to: Some(gathered.clone()), ..Writes::lanes(1) });
                 Writing::write(self, &in_pieces, it, Writes { gathered: Some(gathered), ..Writes::lanes(1) });
             }
         }
-        for plan in unsigned.iter().chain([&plan]) {
-            let parted = if one_by_one { plan.parted() } else { None };
-            Writing::write(self, plan, it, Writes { parted: parted.as_ref(), ..Writes::lanes(1) });
-        }
+        Writing::write(self, &plan, it, Writes::lanes(1));
         if let Some(few) = few {
             self.b.ins().jump(few, &[]);
             self.b.switch_to_block(few);
@@ -375,7 +336,7 @@ impl Plan {
     fn lanes(&self) -> Vec<u32> {
         let kernel = &self.kernel;
         let least = self.least_lanes();
-        if !self.side_by_side() {
+        if !kernel.passes.has(Pass::Vectorization) || !self.side_by_side() {
             return Vec::new();
         }
         // A vector has half as many numbers of 64 bits.
@@ -425,10 +386,7 @@ impl Plan {
             let possible = match carried {
                 Carried::Line(_) => true,
                 Carried::Chain if kernel.in_order.cells.contains(&cell) => true,
-                Carried::Chain => kernel.left_beside(cell, end).is_some_and(|left| {
-                    let conditions = left.conditions.iter().all(|&(condition, _)| fits(condition, Shape::Mask));
-                    conditions && (fits(left.value, left.shape) || left.shape == Shape::Words && fits(left.value, Shape::Reals))
-                }),
+                Carried::Chain => false,
                 Carried::Sum { added: other, bits } | Carried::Extreme { other, bits, .. } => fits(other, Shape::of_bits(bits)),
                 Carried::Nothing => kernel.sum_at_start(end).is_some() || kernel.shape(end).is_some(),
             };

@@ -249,6 +249,26 @@ impl Translator<'_> {
         if at == 0 { Val::Bit { value, clean } } else { Val::At { value, at } }
     }
 
+    /// A bit of a number, by its own number below 64.
+    pub(super) fn named_bit(&mut self, number: Val, bit: u8) -> Val {
+        if bit < 32 {
+            return Self::bit_value(self.int(number), bit, false);
+        }
+        let number = self.word(number);
+        let moved = self.b.ins().ushr_imm_u(number, i64::from(bit));
+        Val::Bit { value: self.b.ins().ireduce(I32, moved), clean: false }
+    }
+
+    /// The comparison whose result a bit is.
+    pub(super) fn comparison(&self, bit: Val) -> Option<(IntCC, Value, Value)> {
+        let Val::Bit { value, clean: true } = bit else { return None };
+        let (_, InstructionData::Unary { opcode: Opcode::Uextend, arg }) = self.definition(value)? else { return None };
+        match self.definition(arg)? {
+            (_, InstructionData::IntCompare { cond, args: [a, b], .. }) => Some((cond, a, b)),
+            _ => None,
+        }
+    }
+
     /// A bit for a jump or a choice: a value that is not 0 if it is 1, or, behind a NOT, if it is 0.
     pub(super) fn condition(&mut self, value: Val) -> (Value, bool) {
         let (value, negated) = self.without_not(value);

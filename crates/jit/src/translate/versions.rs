@@ -17,6 +17,7 @@ use sieben_model::block::{BlockId, BlockKind};
 
 use super::{Find, OPEN_BLOCKS, Translator, bit_of, block_signature};
 use crate::jit::Native;
+use crate::passes::Pass;
 
 /// Registers whose value a version may know.
 const KNOWABLE: [Register; 7] =
@@ -165,7 +166,7 @@ impl Translator<'_> {
     /// The function that a call enters now, and what it knows.
     pub(super) fn version(&mut self, at: u32, index: usize) -> (FuncId, Known) {
         let mut known = Known::default();
-        let reads = self.versions.reads[index];
+        let reads = if self.options.passes.has(Pass::Specialization) { self.versions.reads[index] } else { 0 };
         for (register, known) in KNOWABLE.into_iter().zip(&mut known.values) {
             if reads & bit_of(register) != 0 {
                 *known = self.current[register as usize].and_then(super::Val::constant);

@@ -12,10 +12,12 @@ use sieben_engine::ir::{Callee, Inst, Place};
 use sieben_model::address::{Area, Width};
 
 use super::Translator;
+use super::inlining::Outer;
 use super::loops::Loop;
 use super::memory::{Address, Bit};
 use super::promote::Base;
 use super::value::Val;
+use crate::passes::Pass;
 
 /// Numbers that are remembered, the newest ones: more would keep registers that the code needs.
 const KNOWN_MAX: usize = 12;
@@ -39,11 +41,6 @@ impl Words {
     pub(super) fn constants(&self) -> Vec<(i32, Width, u64)> {
         let constants = self.known.iter().filter_map(|&(offset, width, value)| Some((offset, width, value?.constant()?)));
         constants.filter(|&(_, width, _)| width != Width::QuadWord).collect()
-    }
-
-    /// Keeps what others know, too.
-    pub(super) fn keep_common(&mut self, other: &Self) {
-        self.known.retain(|known| other.known.contains(known));
     }
 
     /// Keeps what is known on another way, too, where both meet: a variable holds what is not the same.
@@ -154,7 +151,7 @@ impl Translator<'_> {
     /// Remembers what was read or written at an address.
     pub(super) fn remember_word(&mut self, address: Address, width: Width, value: Val) {
         self.forget_word(address, width);
-        if width == Width::Bit || !self.options.optimize || address.base != self.local {
+        if width == Width::Bit || !self.options.does(Pass::MemoryToRegister) || address.base != self.local {
             return;
         }
         let value = self.as_read_there(width, value);
@@ -191,7 +188,7 @@ impl Translator<'_> {
             Base::Arena => self.cold.is_none() && self.bytes.is_written_again(address.offset),
             Base::Run | Base::Spaced(_) | Base::Computed(_) => false,
         };
-        if !self.options.optimize || !waits {
+        if !self.options.does(Pass::MemoryToRegister) || !waits {
             self.forget_bits_in(address, width);
             self.write(address, width, value);
             return self.remember_number(address, width, value);
@@ -252,6 +249,41 @@ impl Translator<'_> {
             let waiting = self.bytes.words.0.remove(index);
             self.store_word_that_waited(waiting);
         }
+    }
+
+    /// Drops what the caller has handed to the running block through its local data and waits for its store there, if the rest of the block
+    /// does not read it, nor does the rest of the caller's statement.
+    pub(super) fn drop_what_was_taken(&mut self) {
+        if !self.words_wait() || !self.options.forgets_locals || self.options.exact {
+            return;
+        }
+        let Some((caller, statement, call, first)) = self.outer.last().map(Outer::call) else { return };
+        let (caller, own) = (&self.blocks[caller], &self.native().code);
+        // Nothing waits any more where a loop begins that reads it.
+        let left = &own.insts[own.statements[self.statement as usize] as usize..];
+        let takes_more = |inst: &Inst| match inst {
+            Inst::Load { place, .. } => !matches!(place, Place::Fixed { .. } | Place::Indirect { .. }),
+            Inst::Move { .. } | Inst::Text { .. } | Inst::Call { .. } | Inst::PassParameter { .. } => true,
+            _ => false,
+        };
+        if caller.handed.is_empty() || left.iter().any(takes_more) {
+            return;
+        }
+        let end = caller.code.statements[statement as usize + 1] as usize;
+        let behind = &caller.code.insts[call as usize + 1..end];
+        let is_needed = |at: u32| {
+            let Some(piece) = caller.handed.iter().find(|piece| piece.contains(&at)) else { return true };
+            let bits = piece.start * 8..piece.end * 8;
+            behind.iter().any(|inst| match *inst {
+                Inst::Load { place: Place::Fixed { area: Area::Local, position }, .. } => bits.contains(&position),
+                Inst::Load { place: Place::Fixed { .. }, .. } => false,
+                Inst::Load { place: Place::Indirect { area, .. }, .. } => area == Area::Local,
+                Inst::Constant { value, .. } => bits.contains(&(value as u32 & 0x00FF_FFFF)),
+                Inst::Load { .. } | Inst::Move { .. } | Inst::Text { .. } | Inst::Call { .. } => true,
+                _ => false,
+            })
+        };
+        self.drop_words(|at| u32::try_from(at - first).is_ok_and(|at| !is_needed(at)));
     }
 
     /// Forgets what overlaps an address that is written.

@@ -80,9 +80,6 @@ impl Analysis<'_> {
                     if notes && op == Op::PassOnPointer && pointer.bits <= 32 && pointer.leads_elsewhere() {
                         self.found.passed_on.insert(index);
                     }
-                    if notes && is_step(op, args[0].range, args[1].range) {
-                        self.found.steps.insert(index);
-                    }
                     let known = self.compute(op, args);
                     put(&mut state, &mut temporaries, dst, known);
                 }
@@ -481,23 +478,4 @@ fn put(state: &mut State, temporaries: &mut BTreeMap<u8, Known>, dst: Var, known
         Some(register) => state.registers.insert(register as u8, known),
         None => temporaries.insert(dst.0, known),
     };
-}
-
-/// Whether an operation adds 1 to a number with sign, or subtracts it, and the result is not cut off.
-fn is_step(op: Op, number: Interval, one: Interval) -> bool {
-    let Some((bits, down)) = one.exact().and_then(|one| step_of(op, one)) else { return false };
-    let (least, most) = number.signed(bits);
-    let half = 1 << (bits - 1);
-    if down { least > -half } else { most < half - 1 }
-}
-
-/// How many bits a number has to which an operation adds 1, or from which it subtracts 1, and whether it does the latter.
-pub(in super::super) fn step_of(op: Op, one: u64) -> Option<(u32, bool)> {
-    match (op, one) {
-        (Op::AddU16, 1) => Some((16, false)),
-        (Op::SubU16, 1) | (Op::AddU16, 0xFFFF) => Some((16, true)),
-        (Op::AddU32, 1) => Some((32, false)),
-        (Op::SubU32, 1) | (Op::AddU32, 0xFFFF_FFFF) => Some((32, true)),
-        _ => None,
-    }
 }

@@ -41,7 +41,7 @@ impl Kernel {
 
 impl Writing<'_, '_, '_> {
     pub(super) fn access(&mut self, number: usize, level: Level) {
-        if self.access_piece(number) || self.read_near_bit(number, level) {
+        if self.access_piece(number) {
             return;
         }
         let access = &self.kernel.accesses[number];

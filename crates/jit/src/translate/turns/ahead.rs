@@ -6,6 +6,7 @@ use sieben_model::address::Width;
 
 use super::kernel::{Access, Cell, Copied, Kept, Kernel, Level, Node, Step, What};
 use super::write::Writing;
+use crate::passes::Pass;
 
 /// Variables that are handed on so: more would not stay in registers.
 const AHEAD_MAX: usize = 4;
@@ -35,6 +36,9 @@ impl Kernel {
     }
 
     fn with_more_ahead(mut self, is_one: impl Fn(Width) -> bool, most: usize) -> Self {
+        if !self.passes.has(Pass::PredictiveCommoning) {
+            return self;
+        }
         // What is looked at in front of the loop is read there as each turn would read it.
         if !self.looked_at.is_empty() {
             return self;

@@ -13,11 +13,11 @@ use super::super::value::Val;
 use super::handed::{Form, Handed};
 use super::in_order::InOrder;
 use super::kernel::{Cell, Kernel, Level, Node, Step, What};
-use super::left::Progress;
 use super::line::{Carried, Shape};
 use super::records::Records;
 use super::write::{Scope, Writing};
 use super::{InnerTurns, Plan};
+use crate::passes::Pass;
 
 /// Turns side by side.
 pub(super) const TURNS: u32 = 4;
@@ -28,7 +28,7 @@ const COST_MAX: u32 = 500;
 /// Conditions that are tried, those first on which most rests.
 const CONDITIONS_MAX: usize = 4;
 /// How far conditions made of others are followed.
-pub(super) const DEPTH_MAX: usize = 6;
+const DEPTH_MAX: usize = 6;
 /// Turns after which a condition at the least is as it was, for several ones to share it.
 const PERIOD_MIN: u64 = 8;
 /// Instructions that a shorter version has to save, for the look to be worth it: one that was not foreseen costs about as much as 60.
@@ -58,6 +58,9 @@ struct Side {
 impl Plan {
     /// The condition whose sides are the shortest if it is the same in all turns, if that is worth it.
     pub(super) fn alike(&self) -> Option<Alike> {
+        if !self.kernel.passes.has(Pass::BranchOnSuperword) {
+            return None;
+        }
         let kernel = &self.kernel;
         if !kernel.only_accesses(NODES_MAX) {
             return None;
@@ -99,7 +102,7 @@ impl Plan {
 
 impl Kernel {
     /// Whether turns do nothing but read and write single places, and compute no more values than so many.
-    pub(super) fn only_accesses(&self, nodes_max: usize) -> bool {
+    fn only_accesses(&self, nodes_max: usize) -> bool {
         self.inner.is_none()
             && self.copies.is_empty()
             && self.nodes.len() <= nodes_max
@@ -107,7 +110,7 @@ impl Kernel {
     }
 
     /// The condition of a choice.
-    pub(super) fn asked_by(&self, node: Node) -> Option<Node> {
+    fn asked_by(&self, node: Node) -> Option<Node> {
         match self.what(node) {
             What::Compute(Op::Select, [condition, ..]) | What::Compute(Op::Gate, [_, condition, ..]) => Some(condition),
             _ => None,
@@ -179,7 +182,7 @@ impl Kernel {
     }
 
     /// What is read for a condition, if it can be read in front of all that turns write.
-    pub(super) fn first_for(&self, condition: Node) -> Option<Vec<usize>> {
+    fn first_for(&self, condition: Node) -> Option<Vec<usize>> {
         let mut needed = BTreeSet::new();
         self.reads_behind(condition, &mut BTreeSet::new(), &mut needed);
         let mut written: Vec<usize> = Vec::new();
@@ -197,6 +200,26 @@ impl Kernel {
         Some(first)
     }
 
+    /// Adds the reads on which a value rests, and those on which their addresses do, as far as they were not seen before.
+    fn reads_behind(&self, node: Node, seen: &mut BTreeSet<Node>, reads: &mut BTreeSet<usize>) {
+        let mut waiting = vec![node];
+        while let Some(node) = waiting.pop() {
+            if !seen.insert(node) {
+                continue;
+            }
+            match self.what(node) {
+                What::Compute(op, args) => waiting.extend(&args[..op.arity()]),
+                What::Read(access) => {
+                    reads.insert(access);
+                    waiting.push(self.accesses[access].pointer);
+                }
+                // What a turn begins with in order is what the one before ends with, which is one of those side by side.
+                What::Start(Level::Outer, cell) if self.in_order.cells.contains(&cell) => waiting.push(self.outer.ends[&cell]),
+                _ => {}
+            }
+        }
+    }
+
     /// About how many instructions four turns side by side take.
     fn cost(&self) -> u32 {
         let of_nodes = self.reached().into_iter().map(|node| match self.what(node) {
@@ -211,7 +234,7 @@ impl Kernel {
     }
 
     /// Makes a condition a constant, with all that is known then.
-    pub(super) fn assume(&mut self, condition: Node, holds: bool, depth: usize) {
+    fn assume(&mut self, condition: Node, holds: bool, depth: usize) {
         if depth > 0
             && let What::Compute(op, [a, b, ..]) = self.what(condition)
         {
@@ -281,11 +304,74 @@ impl Kernel {
         }
         Some(ends)
     }
+
+    /// Leaves out what constants make superfluous.
+    fn simplify(&mut self) {
+        // Conditions that were made of two stand behind all others.
+        for _ in 0..2 {
+            self.fold_constants();
+            self.shorten_choices();
+        }
+        self.forget_what_stays();
+        self.forget_unread();
+        self.lines.borrow_mut().clear();
+        self.shapes.borrow_mut().clear();
+    }
+
+    fn fold_constants(&mut self) {
+        for number in 0..self.nodes.len() {
+            let What::Compute(op, mut args) = self.nodes[number] else { continue };
+            let used = op.arity();
+            args[..used].iter_mut().for_each(|arg| *arg = self.without_copies(*arg));
+            let constants = args.map(|arg| self.constant(arg));
+            let copy = |node: Node| What::Compute(Op::Copy, [node; 4]);
+            let [first, second, ..] = constants;
+            self.nodes[number] = match op {
+                _ if constants[..used].iter().all(Option::is_some) => {
+                    What::Constant(op.eval(constants.map(|constant| constant.unwrap_or(0))))
+                }
+                Op::Select if let Some(condition) = first => copy(if condition & 1 != 0 { args[1] } else { args[2] }),
+                Op::Select if args[1] == args[2] => copy(args[1]),
+                Op::Gate if let Some(condition) = second => {
+                    if condition & 1 != 0 {
+                        copy(args[0])
+                    } else {
+                        What::Constant(0)
+                    }
+                }
+                Op::AddU32 | Op::SubU32 if second == Some(0) && self.is_32_bits(args[0]) => copy(args[0]),
+                Op::AddU16 | Op::SubU16 if second == Some(0) && self.is_16_bits(args[0]) => copy(args[0]),
+                _ => What::Compute(op, args),
+            };
+        }
+    }
+
+    /// What is written as it was read is not written, if nobody wrote there between.
+    fn forget_what_stays(&mut self) {
+        let steps: Vec<usize> = self
+            .outer
+            .steps
+            .iter()
+            .filter_map(|step| match *step {
+                Step::Access(number) => Some(number),
+                Step::Copy(_) | Step::Inner => None,
+            })
+            .collect();
+        for (at, &number) in steps.iter().enumerate() {
+            let access = &self.accesses[number];
+            let Some(What::Read(read)) = access.value.map(|value| self.what(value)) else { continue };
+            let Some(first) = steps[..at].iter().position(|&step| step == read) else { continue };
+            let is_written = |&other: &usize| self.accesses[other].value.is_some() && self.accesses[other].may_meet(access);
+            if self.accesses[read].is_same(access) && !steps[first..at].iter().any(is_written) {
+                self.accesses[number].value = None;
+            }
+        }
+    }
 }
 
 /// What is known where ways part.
 #[derive(Clone)]
-pub(super) struct Moment {
+struct Moment {
     outer: Scope,
     records: Records,
     opposites: FxHashMap<Value, Value>,
@@ -294,7 +380,7 @@ pub(super) struct Moment {
 
 impl<'k> Writing<'_, '_, 'k> {
     /// Does turns side by side, with a shorter version of them where they all go the same way. What is handed on to the next ones.
-    pub(super) fn turns_alike(&mut self, alike: &'k Alike, handed: &[Handed], now: &[Value], progress: Progress) -> Vec<Value> {
+    pub(super) fn turns_alike(&mut self, alike: &'k Alike, handed: &[Handed], now: &[Value]) -> Vec<Value> {
         alike.first.iter().for_each(|&number| self.access(number, Level::Outer));
         let condition = self.value(alike.condition, Level::Outer);
         let mask = self.t.masks(&condition, self.lanes)[0];
@@ -319,14 +405,14 @@ impl<'k> Writing<'_, '_, 'k> {
             self.outer.sources.clear();
             let is_read = |kernel: &Kernel, node: Node| matches!(kernel.what(node), What::Read(_));
             self.outer.values.retain(|&node, _| is_read(whole, node) && is_read(&side.kernel, node));
-            self.steps_of_turn(Level::Outer, progress);
+            self.steps_of_turn(Level::Outer);
             self.meet(meeting, alike, Some(side), handed, now);
             self.kernel = whole;
             self.take_up(moment.clone());
             self.t.b.switch_to_block(other);
             self.t.b.seal_block(other);
         }
-        self.steps_of_turn(Level::Outer, progress);
+        self.steps_of_turn(Level::Outer);
         self.meet(meeting, alike, None, handed, now);
         self.take_up(moment);
         self.t.b.switch_to_block(meeting);
@@ -351,7 +437,7 @@ impl<'k> Writing<'_, '_, 'k> {
     }
 
     /// How it is where ways part.
-    pub(super) fn moment(&self) -> Moment {
+    fn moment(&self) -> Moment {
         Moment {
             outer: self.outer.clone(),
             records: self.records.clone(),
@@ -363,11 +449,11 @@ impl<'k> Writing<'_, '_, 'k> {
     /// Whether an access reads what was read to look where the turns go.
     pub(super) fn was_read_first(&self, number: usize) -> bool {
         let is_read = self.kernel.accesses[number].value.is_none();
-        (self.alike.is_some() || self.parted.is_some()) && is_read && self.outer.values.contains_key(&self.kernel.read_of(number))
+        self.alike.is_some() && is_read && self.outer.values.contains_key(&self.kernel.read_of(number))
     }
 
     /// Goes on as it was where the ways parted.
-    pub(super) fn take_up(&mut self, Moment { outer, records, opposites, in_words }: Moment) {
+    fn take_up(&mut self, Moment { outer, records, opposites, in_words }: Moment) {
         (self.outer, self.records) = (outer, records);
         (self.t.opposites, self.t.in_words) = (opposites, in_words);
         self.written.clear();
@@ -381,12 +467,12 @@ impl<'k> Writing<'_, '_, 'k> {
         for (one, own) in handed.iter().zip(self.owned(handed, &now[1..])) {
             match *one {
                 Handed::Sum(cell, added, shape) => {
-                    self.next_of(Level::Outer, &Handed::Sum(cell, end(cell, added), shape), &own, now[0], &mut all);
+                    self.next_of(Level::Outer, &Handed::Sum(cell, end(cell, added), shape), &own, &mut all);
                 }
                 Handed::Chain(cell, node, form) => {
-                    self.next_of(Level::Outer, &Handed::Chain(cell, end(cell, node), form), &own, now[0], &mut all);
+                    self.next_of(Level::Outer, &Handed::Chain(cell, end(cell, node), form), &own, &mut all);
                 }
-                _ => self.next_of(Level::Outer, one, &own, now[0], &mut all),
+                _ => self.next_of(Level::Outer, one, &own, &mut all),
             }
         }
         for &(cell, node, shape) in &alike.left {
@@ -400,7 +486,7 @@ impl<'k> Writing<'_, '_, 'k> {
     }
 
     /// Goes to a block with values, which take its parameters on each way there.
-    pub(super) fn go_where_ways_meet(&mut self, meeting: Block, values: &[Value]) {
+    fn go_where_ways_meet(&mut self, meeting: Block, values: &[Value]) {
         if self.t.b.block_params(meeting).is_empty() {
             for &value in values {
                 let ty = self.t.b.func.dfg.value_type(value);

@@ -6,6 +6,7 @@ use sieben_model::address::Width;
 
 use super::kernel::{Access, Kernel, Level, Node, What};
 use super::reader::{DEPTH_MAX, Reader};
+use crate::passes::Pass;
 
 /// The bits among which a variable may lie, at most.
 const BITS_MAX: i128 = 1 << 19;
@@ -114,6 +115,9 @@ impl Kernel {
 impl Reader<'_, '_> {
     /// The place of a variable that stays inside its area, seen from pointers of which its own is a sum.
     pub(super) fn around(&mut self, (pointer, offset): (Node, u32), width: Width) -> Vec<Around> {
+        if !self.kernel.passes.has(Pass::ModularAddressing) {
+            return Vec::new();
+        }
         let bits = if width == Width::Bit { 1 } else { width.bytes() * 8 };
         let mut all = Vec::new();
         self.seen_from_parts(pointer, Around { pointer, offset, bits }, SUMS_MAX, &mut all);

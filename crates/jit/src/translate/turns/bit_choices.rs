@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 use sieben_engine::ir::Op;
 
 use super::kernel::{Copied, Kernel, Node, What};
+use crate::passes::Pass;
 
 /// Values of a loop of which choices are looked at.
 const NODES_MAX: usize = 2_000;
@@ -13,6 +14,9 @@ const NODES_MAX: usize = 2_000;
 impl Kernel {
     /// Writes choices in their shortest form. Values rest on those in front of them, so that one pass finds all.
     pub(super) fn shorten_choices(&mut self) {
+        if !self.passes.has(Pass::BooleanSimplification) {
+            return;
+        }
         let count = self.nodes.len();
         if count > NODES_MAX {
             return;

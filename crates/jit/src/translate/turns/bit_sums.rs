@@ -15,6 +15,7 @@ use super::Plan;
 use super::kernel::{Access, Cell, Kernel, Level, Node, What};
 use super::line::{Carried, Line};
 use super::pieces::Way;
+use crate::passes::Pass;
 
 /// Turns at a time: what eight bytes hold at least, wherever in the first one the first bit is.
 const BITS: i64 = 56;
@@ -40,7 +41,7 @@ pub(super) struct BitSums {
 
 /// What a loop does, if it only counts bits of arrays and writes others that are logic of them.
 pub(super) fn read(plan: &Plan) -> Option<BitSums> {
-    let kernel = &plan.kernel;
+    let kernel = Some(&plan.kernel).filter(|kernel| kernel.passes.has(Pass::BitCountIdiom))?;
     let way = kernel.bits_follow(kernel.accesses.first()?)?;
     let follows = |access: &Access| {
         let is_logic = access.value.is_none_or(|value| is_bits(kernel, value));

@@ -12,6 +12,7 @@ use super::super::memory::data;
 use super::super::promote::Base;
 use super::super::value::Val;
 use super::kernel::{Cell, Kernel, Level, Node, What};
+use crate::passes::Pass;
 
 /// Bits that are written with one store.
 const BITS_OF_A_VECTOR: i64 = 128;
@@ -93,6 +94,9 @@ pub(super) struct Condition {
 
 /// What a loop does, if it only writes bits.
 pub(super) fn read(kernel: &Kernel) -> Option<Bits> {
+    if !kernel.passes.has(Pass::BitFillIdiom) {
+        return None;
+    }
     let (mut same, mut counted) = (Vec::new(), Vec::new());
     for (&cell, &end) in &kernel.outer.ends {
         match kernel.constant(end) {

@@ -14,6 +14,7 @@ use super::kernel::{Access, Kernel, Level, Node};
 use super::line::Shape;
 use super::vector::Lanes;
 use super::write::Writing;
+use crate::passes::Pass;
 
 /// Turns side by side.
 const TURNS: u32 = 4;
@@ -22,7 +23,8 @@ impl Kernel {
     /// Whether turns read or write bits that follow one another, and work with other variables, too: bits alone are done in bytes.
     pub(super) fn is_row_of_bits(&self, access: &Access) -> bool {
         let (base, bytes) = access.bytes();
-        let is_row = access.width == Width::Bit
+        let is_row = self.passes.has(Pass::GatheredBits)
+            && access.width == Width::Bit
             && access.part.is_none()
             && self.inner.is_none()
             && self.line(access.pointer, Level::Outer).is_some_and(|line| line.bits == 32 && line.step == 1);
@@ -44,7 +46,7 @@ impl Kernel {
     }
 
     fn lies_anywhere(&self, access: &Access) -> bool {
-        let may = self.inner.is_none() && access.sure && access.inside.is_some();
+        let may = self.passes.has(Pass::GatheredBits) && self.inner.is_none() && access.sure && access.inside.is_some();
         may && match self.shape(access.pointer) {
             Some(Shape::Words) => true,
             Some(Shape::Line(line)) => {

@@ -14,7 +14,7 @@ impl Translator<'_> {
         match kernel.kept(cell) {
             Kept::Register(register) => self.register(register),
             Kept::Budget | Kept::Beyond => Val::Const(0),
-            Kept::Element { .. } | Kept::Given { .. } | Kept::Ahead { .. } => unreachable!("it is read where the loop is entered"),
+            Kept::Element { .. } | Kept::Ahead { .. } => unreachable!("it is read where the loop is entered"),
             Kept::Clock => {
                 let now = self.clock_ms();
                 Val::Int(self.int(now))
@@ -34,7 +34,7 @@ impl Translator<'_> {
                 self.b.def_var(self.variables[register as usize], value);
             }
             // It goes into the budget behind the turns; nothing writes the clock.
-            Kept::Budget | Kept::Beyond | Kept::Clock | Kept::Element { .. } | Kept::Given { .. } | Kept::Ahead { .. } => {}
+            Kept::Budget | Kept::Beyond | Kept::Clock | Kept::Element { .. } | Kept::Ahead { .. } => {}
             Kept::Memory { base, offset, width, bit } => {
                 let base = self.address_of_base(base);
                 self.write_known(Address { base, offset, bit: Bit::Number(bit) }, width, value);

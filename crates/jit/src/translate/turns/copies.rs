@@ -5,6 +5,7 @@ use sieben_model::address::Width;
 
 use super::kernel::{Node, Step};
 use super::reader::{Reached, Reader};
+use crate::passes::Pass;
 
 /// Longer copies are left to loops that are not done at once.
 const BYTES_MAX: u32 = 128;
@@ -12,6 +13,9 @@ const BYTES_MAX: u32 = 128;
 impl Reader<'_, '_> {
     /// Reads a copy of bytes, which may overlap: all of them are read before one is written.
     pub(super) fn copy(&mut self, index: u32, (from, to, bytes): (Place, Place, u32), steps: &mut Vec<Step>) -> Option<()> {
+        if !self.kernel.passes.has(Pass::StructCopies) {
+            return None;
+        }
         if bytes > BYTES_MAX {
             return None;
         }

@@ -30,6 +30,15 @@ pub(super) struct Count {
     meets: bool,
 }
 
+/// How far a loop is.
+#[derive(Clone, Copy)]
+pub(super) enum Progress {
+    /// So many turns are left with the running one.
+    Left(Value),
+    /// An address that is so many bytes further in each turn, and as it was in the first one.
+    Address { now: Value, first: Value, step: i64 },
+}
+
 /// What decides about another turn of a loop, if it can be counted.
 pub(super) fn condition(kernel: &Kernel, level: Level) -> Option<Count> {
     let (op, [counter, limit, ..]) = kernel.compared(level)?;
@@ -153,6 +162,18 @@ impl Count {
 }
 
 impl Translator<'_> {
+    /// How many turns were made before the running one, of so many.
+    pub(super) fn turns_made(&mut self, progress: Progress, turns: Value) -> Value {
+        match progress {
+            Progress::Left(left) => self.b.ins().isub(turns, left),
+            Progress::Address { now, first, step } => {
+                let way = self.b.ins().isub(now, first);
+                let step = self.b.ins().iconst(I64, step);
+                self.b.ins().sdiv(way, step)
+            }
+        }
+    }
+
     /// Of so many turns, which take this weight each, those for which the budget lasts.
     pub(super) fn within_budget(&mut self, turns: Value, weight: Val) -> Value {
         let variable = self.budget();

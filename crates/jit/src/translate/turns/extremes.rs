@@ -11,6 +11,7 @@ use sieben_model::address::Width;
 use super::super::Translator;
 use super::super::value::Val;
 use super::kernel::{Cell, Kept, Kernel, Level, Node, What};
+use crate::passes::Pass;
 
 /// Which of two numbers stays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,6 +53,9 @@ impl Kernel {
     /// What a turn of a loop compares a cell with that keeps the least or the greatest number of all turns, if nothing else looks at the cell;
     /// with its bits.
     pub(super) fn extreme(&self, level: Level, cell: Cell, end: Node) -> Option<(Extreme, Node, u32)> {
+        if !self.passes.has(Pass::MinMaxReduction) {
+            return None;
+        }
         let Kept::Memory { width, .. } = self.kept(cell) else { return None };
         let (extreme, [a, b], bits) = self.extreme_of_integers(end)?;
         let fits = matches!((width, bits), (Width::Word, 16) | (Width::DoubleWord, 32));
@@ -69,6 +73,9 @@ impl Kernel {
     /// The REALs or LREALs of which a choice leaves the first if that is less or greater than the second, and the second otherwise; with
     /// their type.
     pub(super) fn extreme_of_reals(&self, node: Node) -> Option<(Extreme, [Node; 2], Type)> {
+        if !self.passes.has(Pass::MinMaxReduction) {
+            return None;
+        }
         let What::Compute(Op::Select, [condition, a, b, _]) = self.what(node) else { return None };
         let What::Compute(op, [x, y, ..]) = self.what(condition) else { return None };
         let (less, ty) = match op {

@@ -12,7 +12,6 @@ use super::super::value::Val;
 use super::super::{Translator, is_bit};
 use super::extremes::Extreme;
 use super::kernel::{Access, Cell, Kept, Level, Node, Step, What};
-use super::left_beside::LeftBeside;
 use super::line::{Carried, Line, Shape};
 use super::vector::Lanes;
 use super::write::Writing;
@@ -30,10 +29,6 @@ pub(super) enum Handed {
     /// The least or greatest numbers: their vectors.
     Extreme(Cell, Node, Extreme, Shape),
     Chain(Cell, Node, Form),
-    /// Which turn of each lane was the last that wrote cells that are left, by the first of them.
-    Mark(usize),
-    /// What it left in a cell, by its number among them, and where its mark is.
-    Left(usize, usize),
     Address(Base, Node, u32, i64),
 }
 
@@ -85,7 +80,6 @@ impl Writing<'_, '_, '_> {
                 Carried::Chain if self.lanes > 1 && kernel.in_order.cells.contains(&cell) => {
                     handed.push(Handed::Chain(cell, end, self.form_in_order(cell)));
                 }
-                Carried::Chain if level == Level::Outer && (self.lanes > 1 || self.is_left(cell)) => {}
                 Carried::Sum { added, bits } if self.lanes > 1 && level == Level::Outer => {
                     handed.push(Handed::Sum(cell, added, Shape::of_bits(bits)));
                 }
@@ -99,17 +93,6 @@ impl Writing<'_, '_, '_> {
                     }
                     handed.push(Handed::Chain(cell, end, form));
                 }
-            }
-        }
-        if level == Level::Outer && self.lanes > 1 {
-            self.left_beside = kernel.all_left_beside();
-            let mut mark = 0;
-            for (number, left) in self.left_beside.iter().enumerate() {
-                if number == 0 || self.left_beside[number - 1].conditions != left.conditions {
-                    mark = number;
-                    handed.push(Handed::Mark(number));
-                }
-                handed.push(Handed::Left(number, mark));
             }
         }
         let step_of = |access: &Access| self.plan.counted_on(access, level);
@@ -151,18 +134,14 @@ impl Writing<'_, '_, '_> {
                 waiting.extend(kernel.nodes_of_copy(number, level));
             }
         }
-        for &(cell, end, carried) in carried {
+        for &(_, end, carried) in carried {
             match carried {
                 Carried::Line(_) => {}
                 Carried::Sum { added, .. } => waiting.push(added),
-                _ if self.is_left(cell) => {}
                 // It is computed behind the loop.
                 Carried::Nothing if kernel.line(end, level).is_some() => {}
                 _ => waiting.push(end),
             }
-        }
-        for one in &self.waiting {
-            waiting.extend(one.left.conditions.iter().map(|&(condition, _)| condition).chain(one.left.waiting.iter().copied()));
         }
         let grows = |node: Node| kernel.line(node, level).is_some_and(|line| !line.is_same());
         let mut seen = BTreeSet::new();
@@ -187,7 +166,7 @@ impl Writing<'_, '_, '_> {
         (counted.len() <= cells + COUNTED_MORE).then_some(counted)
     }
 
-    pub(super) fn form(&self, level: Level, cell: Cell, end: Node, needed: &BTreeSet<Node>) -> Form {
+    fn form(&self, level: Level, cell: Cell, end: Node, needed: &BTreeSet<Node>) -> Form {
         if self.lanes > 1 {
             return self.kernel.shape(self.kernel.turn(level).ends[&cell]).map_or(Form::Int, Form::Lanes);
         }
@@ -239,8 +218,6 @@ impl Writing<'_, '_, '_> {
                 shape.vectors(self.lanes).1 as usize
             }
             Handed::Chain(..) => 1,
-            Handed::Mark(_) => self.lanes as usize / 4,
-            Handed::Left(number, _) => self.left_beside[*number].shape.vectors(self.lanes).1 as usize,
         }
     }
 
@@ -282,12 +259,6 @@ impl Writing<'_, '_, '_> {
             Handed::Chain(cell, _, form) => {
                 let value = self.entry(level, cell);
                 self.in_form(&value, form, all);
-            }
-            Handed::Mark(_) => all.extend(self.t.no_turns(self.lanes)),
-            // Nobody looks at it while its mark says that no turn left anything.
-            Handed::Left(number, _) => {
-                let (ty, count) = self.left_beside[number].shape.vectors(self.lanes);
-                all.extend((0..count).map(|_| self.t.zeros(ty)));
             }
             Handed::Address(base, pointer, offset, _) => {
                 let value = match level {
@@ -344,7 +315,7 @@ impl Writing<'_, '_, '_> {
                     }
                     self.scope(level).values.insert(node, Lanes::One(Val::Int(own[0])));
                 }
-                Handed::Sum(..) | Handed::Extreme(..) | Handed::Mark(_) | Handed::Left(..) => {}
+                Handed::Sum(..) | Handed::Extreme(..) => {}
                 Handed::Chain(cell, _, form) => {
                     let value = self.taken(cell, form, own);
                     self.scope(level).starts.insert(cell, value);
@@ -357,7 +328,7 @@ impl Writing<'_, '_, '_> {
     }
 
     /// What was handed on of a cell.
-    pub(super) fn taken(&mut self, cell: Cell, form: Form, own: Vec<Value>) -> Lanes {
+    fn taken(&mut self, cell: Cell, form: Form, own: Vec<Value>) -> Lanes {
         match form {
             Form::Bit => Lanes::One(Val::Bit { value: own[0], clean: true }),
             Form::LooseBit => Lanes::One(Val::Bit { value: own[0], clean: false }),
@@ -382,7 +353,7 @@ impl Writing<'_, '_, '_> {
     }
 
     /// What is handed on to the next turn.
-    pub(super) fn next_of(&mut self, level: Level, one: &Handed, own: &[Value], left: Value, all: &mut Vec<Value>) {
+    pub(super) fn next_of(&mut self, level: Level, one: &Handed, own: &[Value], all: &mut Vec<Value>) {
         match *one {
             Handed::Line(_, line) | Handed::Counted(_, line) => {
                 let turns = if level == Level::Outer { self.lanes } else { 1 };
@@ -420,22 +391,6 @@ impl Writing<'_, '_, '_> {
                     false => self.value(end, level),
                 };
                 self.in_form(&value, form, all);
-            }
-            Handed::Mark(number) => {
-                let masks = self.where_left(number, level);
-                let marks = self.t.marks(left, self.lanes);
-                all.extend(self.t.chosen_in_lanes(&masks, &marks, own, Shape::Words));
-            }
-            Handed::Left(number, mark) => {
-                let masks = self.where_left(mark, level);
-                let LeftBeside { value, shape, .. } = self.left_beside[number];
-                let value = self.value(value, level);
-                let mut new = Vec::new();
-                match shape {
-                    Shape::Mask => new = self.t.masks(&value, self.lanes),
-                    shape => self.in_form(&value, Form::Lanes(shape), &mut new),
-                }
-                all.extend(self.t.chosen_in_lanes(&masks, &new, own, shape));
             }
             Handed::Address(.., step) => all.push(self.t.b.ins().iadd_imm_s(own[0], step)),
         }

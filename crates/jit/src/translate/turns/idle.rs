@@ -18,6 +18,7 @@ use super::bits::{self, Condition, Type};
 use super::kernel::{Access, Cell, Kept, Kernel, Level, Node, What};
 use super::line::Line;
 use super::reader;
+use crate::passes::Pass;
 
 /// Jumps of a turn whose ways are tried.
 const JUMPS_MAX: u32 = 2;
@@ -222,7 +223,7 @@ fn differs(kernel: &Kernel, (mut condition, mut holds): (Node, bool)) -> Option<
 impl Translator<'_> {
     /// What turns of a loop do that do nothing but count, if it has such turns and they can be told by bits or bytes of arrays.
     pub(in super::super) fn idle_turns(&mut self, it: &Loop) -> Option<Idle> {
-        if !self.options.optimize || self.cold.is_some() || self.taken != 0 || self.is_at_once(it) {
+        if !self.options.does(Pass::SparseIterations) || self.cold.is_some() || self.taken != 0 || self.is_at_once(it) {
             return None;
         }
         // Most conditions jump over something.

@@ -13,6 +13,7 @@ use super::kernel::{Cell, Kept, Kernel, Level, Node, Step, What};
 use super::line::{Carried, Shape};
 use super::vector::{Lanes, little};
 use super::write::Writing;
+use crate::passes::Pass;
 
 /// Operations of a turn that are done in order.
 const OPERATIONS_MAX: usize = 16;
@@ -32,8 +33,11 @@ pub(super) struct InOrder {
 impl Kernel {
     /// The same loop with all in order that a turn needs from the one before, if that is little.
     pub(super) fn with_order(&self) -> Option<Self> {
+        if !self.passes.has(Pass::OrderedReduction) {
+            return None;
+        }
         let chains = self.carried(Level::Outer).into_iter().filter(|(.., carried)| *carried == Carried::Chain);
-        let cells: BTreeSet<Cell> = chains.filter(|&(cell, end, _)| self.left_beside(cell, end).is_none()).map(|(cell, ..)| cell).collect();
+        let cells: BTreeSet<Cell> = chains.map(|(cell, ..)| cell).collect();
         if cells.is_empty() || cells.len() > CELLS_MAX || cells.iter().any(|&cell| matches!(self.kept(cell), Kept::Budget | Kept::Clock)) {
             return None;
         }
@@ -173,6 +177,16 @@ impl Kernel {
             Width::Byte | Width::Word => Shape::Halves,
             Width::DoubleWord => Shape::Words,
             Width::QuadWord => Shape::Quads,
+        }
+    }
+
+    /// The width of what a value is.
+    fn width_of(&self, node: Node) -> Width {
+        match () {
+            () if self.is_bit(node) => Width::Bit,
+            () if self.is_16_bits(node) => Width::Word,
+            () if self.is_32_bits(node) => Width::DoubleWord,
+            () => Width::QuadWord,
         }
     }
 }

@@ -15,6 +15,7 @@ use super::super::promote::Base;
 use super::around::Around;
 use super::in_order::InOrder;
 use super::line::{Line, Shape};
+use crate::passes::PassSet;
 
 /// A value, by its number in the kernel.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -86,10 +87,6 @@ pub(super) enum Kept {
     Beyond,
     /// The clock in milliseconds, which stands still while nobody is asked.
     Clock,
-    /// A value of the loop around this one, which all turns share.
-    Given {
-        width: Width,
-    },
     /// What the next turn would read with an access, by its number among them.
     Ahead {
         number: u16,
@@ -200,8 +197,6 @@ pub(super) struct Kernel {
     pub(super) required_inside: Vec<(Node, u32)>,
     /// Conditions that are the same in all turns, and whether they have to hold.
     pub(super) settled: Vec<(Node, bool)>,
-    /// Cells that have to hold a REAL or LREAL that is a number when the loop begins.
-    pub(super) numbers_at_start: Vec<Cell>,
     /// Least and greatest value of numbers that are divided by constants and never negative, and of those that are looked at.
     pub(super) bounds: BTreeMap<Node, (u32, u32)>,
     /// Bytes of the arena.
@@ -214,6 +209,8 @@ pub(super) struct Kernel {
     pub(super) opened: BTreeSet<u16>,
     /// Registers that somebody needs behind the loop.
     pub(super) live: u32,
+    /// Which optimizations are used.
+    pub(super) passes: PassSet,
     /// Lines and forms that were looked for.
     pub(super) lines: RefCell<HashMap<(Node, Level), Option<Line>>>,
     pub(super) shapes: RefCell<HashMap<Node, Option<Shape>>>,
@@ -247,13 +244,13 @@ impl Kernel {
             looked_at: Vec::new(),
             required_inside: Vec::new(),
             settled: Vec::new(),
-            numbers_at_start: Vec::new(),
             bounds: BTreeMap::new(),
             size: 0,
             only_side_by_side: false,
             in_order: InOrder::default(),
             opened: BTreeSet::new(),
             live: !0,
+            passes: PassSet::default(),
             lines: RefCell::default(),
             shapes: RefCell::default(),
         }
@@ -264,13 +261,7 @@ impl Kernel {
         let cells = &self.cells;
         let is_live = |&Cell(cell): &Cell, live: u32| match cells[usize::from(cell)] {
             Kept::Register(register) => live & bit_of(register) != 0,
-            Kept::Memory { .. }
-            | Kept::Element { .. }
-            | Kept::Budget
-            | Kept::Beyond
-            | Kept::Clock
-            | Kept::Given { .. }
-            | Kept::Ahead { .. } => true,
+            Kept::Memory { .. } | Kept::Element { .. } | Kept::Budget | Kept::Beyond | Kept::Clock | Kept::Ahead { .. } => true,
         };
         self.lines.borrow_mut().clear();
         self.outer.ends.retain(|cell, _| is_live(cell, self.live));
@@ -429,7 +420,6 @@ impl Kernel {
             self.kept(cell),
             Kept::Memory { width: Width::Bit | Width::Byte | Width::Word, .. }
                 | Kept::Element { width: Width::Bit | Width::Byte | Width::Word, .. }
-                | Kept::Given { width: Width::Bit | Width::Byte | Width::Word }
                 | Kept::Ahead { width: Width::Bit | Width::Byte | Width::Word, .. }
         )
     }
@@ -458,9 +448,7 @@ impl Kernel {
     pub(super) fn is_bit(&self, node: Node) -> bool {
         self.holds_of_chosen(node, &[Op::Select], &|what| match what {
             What::Read(access) => self.accesses[access].width == Width::Bit,
-            What::Start(_, cell) | What::After(cell) => {
-                matches!(self.kept(cell), Kept::Memory { width: Width::Bit, .. } | Kept::Given { width: Width::Bit })
-            }
+            What::Start(_, cell) | What::After(cell) => matches!(self.kept(cell), Kept::Memory { width: Width::Bit, .. }),
             What::Compute(op, _) => {
                 let fails = matches!(op, Op::DivFailsI16 | Op::DivFailsI32 | Op::DivFailsI64);
                 fails || Self::compares(op) || matches!(op, Op::Not | Op::And | Op::AndNot | Op::Or | Op::Xor | Op::IsNonzero | Op::Below)
@@ -543,7 +531,7 @@ impl Kernel {
 impl Kept {
     /// Whether it holds 64 bits.
     pub(super) fn is_wide(self) -> bool {
-        let (Self::Memory { width, .. } | Self::Element { width, .. } | Self::Given { width } | Self::Ahead { width, .. }) = self else {
+        let (Self::Memory { width, .. } | Self::Element { width, .. } | Self::Ahead { width, .. }) = self else {
             return false;
         };
         width == Width::QuadWord
@@ -552,13 +540,7 @@ impl Kept {
     /// The bytes that a cell stands for, and which bit of them.
     pub(super) fn bytes(self) -> Option<(Base, Range<i64>, Option<u8>)> {
         match self {
-            Self::Register(_)
-            | Self::Element { .. }
-            | Self::Budget
-            | Self::Beyond
-            | Self::Clock
-            | Self::Given { .. }
-            | Self::Ahead { .. } => None,
+            Self::Register(_) | Self::Element { .. } | Self::Budget | Self::Beyond | Self::Clock | Self::Ahead { .. } => None,
             Self::Memory { base, offset, width, bit } => {
                 let bit = (width == Width::Bit).then_some(bit);
                 Some((base, i64::from(offset)..i64::from(offset) + i64::from(width.bytes()), bit))

@@ -1,7 +1,7 @@
 //! Which values of a loop grow by the same step in each turn, which cells carry something from turn to turn, and which form a value has
 //! when several turns are done side by side.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashMap};
 
 use sieben_engine::ir::Op;
 use sieben_model::address::Width;
@@ -159,6 +159,26 @@ impl Kernel {
         self.line(node, Level::Outer).is_some_and(|line| line.is_same())
     }
 
+    /// Whether all conditions that are looked at in front of the loop are the same in all turns.
+    pub(super) fn settles_in_front(&self) -> bool {
+        self.settled.iter().all(|&(condition, _)| self.is_same_in_all_turns(condition))
+    }
+
+    /// Whether a value is the same in all turns of the inner loop.
+    pub(super) fn is_fixed(&self, node: Node, known: &mut HashMap<Node, bool>) -> bool {
+        if let Some(&fixed) = known.get(&node) {
+            return fixed;
+        }
+        let fixed = match self.what(node) {
+            What::Constant(_) | What::Start(Level::Outer, _) => true,
+            What::Start(Level::Inner, _) | What::After(_) => false,
+            What::Read(access) => self.accesses[access].level == Level::Outer,
+            What::Compute(op, args) => args[..op.arity()].iter().all(|&arg| self.is_fixed(arg, known)),
+        };
+        known.insert(node, fixed);
+        fixed
+    }
+
     /// Whether a value is on a line as a number of 32 bits.
     pub(super) fn is_on_line(&self, node: Node, level: Level) -> bool {
         self.line(node, level).is_some_and(|line| line.bits == 32)
@@ -253,7 +273,7 @@ impl Kernel {
     }
 
     /// Cells that the turns of the inner loop hand on, and what they hold when it begins.
-    pub(super) fn carried_into(&self, inner: &Turn) -> impl Iterator<Item = (Cell, Node)> {
+    fn carried_into(&self, inner: &Turn) -> impl Iterator<Item = (Cell, Node)> {
         let carried = self.carried(Level::Inner).into_iter().filter(|(.., carried)| *carried != Carried::Nothing);
         carried.filter_map(|(cell, ..)| Some((cell, *inner.entry.get(&cell)?)))
     }

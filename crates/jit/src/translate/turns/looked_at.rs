@@ -13,6 +13,7 @@ use super::in_order::InOrder;
 use super::kernel::{Access, Cell, Kept, Kernel, Level, Node, Step, What};
 use super::write::Writing;
 use super::{InnerTurns, Plan, Writes};
+use crate::passes::Pass;
 
 /// Turns side by side in which they are looked at.
 const TURNS: u32 = 4;
@@ -20,6 +21,9 @@ const TURNS: u32 = 4;
 impl Kernel {
     /// Lets numbers on no line be looked at in front of the loop, if that is possible.
     pub(super) fn look_at_others(&mut self) {
+        if !self.passes.has(Pass::InspectorExecutor) {
+            return;
+        }
         if self.inner.is_some() || !self.copies.is_empty() {
             return;
         }

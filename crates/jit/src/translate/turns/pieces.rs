@@ -18,6 +18,7 @@ use super::super::value::Val;
 use super::kernel::{Access, Kernel, Level, Node};
 use super::vector::Lanes;
 use super::write::Writing;
+use crate::passes::Pass;
 
 /// Turns behind one another: as many as a byte has bits.
 pub(super) const TURNS: u32 = 8;
@@ -92,7 +93,10 @@ pub(super) struct Piece {
 impl Kernel {
     /// The accesses of a loop whose bits make whole bytes, if it has such bits.
     pub(super) fn gathered(&self) -> Option<Gathered> {
-        if self.inner.is_some() || !self.copies.is_empty() || !self.left().is_empty() {
+        if !self.passes.has(Pass::BitInterleaving) {
+            return None;
+        }
+        if self.inner.is_some() || !self.copies.is_empty() {
             return None;
         }
         let mut values = BTreeSet::new();

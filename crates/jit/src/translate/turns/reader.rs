@@ -117,7 +117,6 @@ fn read_as(translator: &mut Translator<'_>, it: &Loop, Reading { inside, one_way
     kernel.only_side_by_side = reader.only_side_by_side || reader.chosen > CHOSEN_ALONE_MAX || reader.read > INSTRUCTIONS_ALONE_MAX;
     kernel.shorten_choices();
     kernel.add_at_once();
-    kernel.add_reals_in_each_turn();
     kernel.forget_unread();
     kernel.live = !(translator.dead_at(it.first) & translator.dead_at(it.last + 1));
     let live_inside = statements_inside.map_or(!0, |(first, last)| !(translator.dead_at(first) & translator.dead_at(last + 1)));
@@ -242,10 +241,10 @@ impl<'t, 'a> Reader<'t, 'a> {
     /// Reads turns that change some registers, with what is known of variables when one begins.
     pub(super) fn new(translator: &'t mut Translator<'a>, written: u32, facts: [Vec<(Kept, Interval)>; 2]) -> Self {
         Reader {
+            kernel: Kernel { passes: translator.options.passes, ..Kernel::empty() },
             translator,
             written,
             inside: None,
-            kernel: Kernel::empty(),
             numbers: HashMap::new(),
             outer: BTreeMap::new(),
             now: BTreeMap::new(),

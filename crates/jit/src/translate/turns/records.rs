@@ -19,6 +19,7 @@ use super::line::Shape;
 use super::spread::{Apart, FIRST_WORDS_TURNED};
 use super::vector::{Lanes, little};
 use super::write::Writing;
+use crate::passes::Pass;
 
 /// Turns side by side.
 const TURNS: u32 = 4;
@@ -122,13 +123,8 @@ impl Records {
         self.0.iter().position(|record| record.accesses.contains(&number))
     }
 
-    /// Whether what waits to be written is written at several places of a turn.
-    pub(super) fn are_several(&self) -> bool {
-        self.0.len() > 1
-    }
-
     /// The row with which a field is read.
-    pub(super) fn row(&self, kernel: &Kernel, number: usize) -> Option<(usize, Row)> {
+    fn row(&self, kernel: &Kernel, number: usize) -> Option<(usize, Row)> {
         let at = self.of(number)?;
         let (start, bytes) = kernel.field(number);
         let row = self.0[at].rows.iter().copied().find(|row| row.0 <= start && start + bytes <= row.0 + row.1)?;
@@ -152,6 +148,9 @@ struct Best {
 impl Kernel {
     /// The structures and instances of turns side by side.
     pub(super) fn records(&self, lanes: u32) -> Records {
+        if !self.passes.has(Pass::StridedAccess) {
+            return Records::default();
+        }
         if lanes != TURNS || !self.is_spread() {
             return Records::default();
         }

@@ -7,6 +7,7 @@ use super::super::Translator;
 use super::kernel::{Cell, Kernel, Level, Node, What};
 use super::line::Shape;
 use super::vector::Lanes;
+use crate::passes::Pass;
 
 /// Steps of a turn that add to the same variable.
 const STEPS_MAX: usize = 16;
@@ -22,6 +23,9 @@ enum Added {
 impl Kernel {
     /// Writes what cells hold at the end of a turn as what they held when it began and one value, where it is a sum in several steps.
     pub(super) fn add_at_once(&mut self) {
+        if !self.passes.has(Pass::Reassociation) {
+            return;
+        }
         if self.inner.is_some() {
             return;
         }

@@ -13,13 +13,6 @@ use super::reader::divides;
 /// foreseen.
 const SAVED_MIN: u32 = 12;
 
-/// Places that turns write under a condition, from which on jumps are faster: each is read, chosen for and written in all turns.
-const WRITTEN_MIN: usize = 2;
-/// Choices of which each turn makes one after another, from which on jumps are faster, unless turns wait for what they leave anyway.
-const CHOICES_MIN: usize = 5;
-/// Steps for which a turn waits with the choice of an extreme, from which on a jump is faster if its place is noted, too: it changes seldom.
-const EXTREME_MIN: u32 = 3;
-
 /// Steps of the processor from what a cell held to a value.
 #[derive(Clone, Copy)]
 struct Wait {
@@ -37,22 +30,6 @@ impl Kernel {
             |cell: Cell, end: Node| self.wait(end, cell, &mut HashMap::new()).is_some_and(|wait| wait.most >= wait.least + SAVED_MIN);
         self.inner.is_none()
             && self.carried(Level::Outer).into_iter().any(|(cell, end, carried)| carried == Carried::Chain && waits(cell, end))
-    }
-
-    /// Whether turns that are done one by one are likely to be faster with jumps than with choices because there are so many, or because they
-    /// are seldom made.
-    pub(super) fn is_for_jumps(&self) -> bool {
-        let is_choice = |node: Node| matches!(self.what(node), What::Compute(Op::Select, _));
-        let written = self.accesses.iter().filter(|access| access.value.is_some_and(is_choice)).count();
-        let waits: Vec<Wait> = (self.carried(Level::Outer).into_iter())
-            .filter(|(.., carried)| *carried == Carried::Chain)
-            .filter_map(|(cell, end, _)| self.wait(end, cell, &mut HashMap::new()))
-            .collect();
-        let choices = self.reached().into_iter().filter(|&node| is_choice(node)).count();
-        let waits_for_none = waits.iter().all(|wait| wait.least == 0);
-        let has_place = waits.iter().any(|wait| wait.least == 0 && wait.most > 0);
-        let has_extreme = waits.iter().any(|wait| wait.least >= EXTREME_MIN && wait.least == wait.most);
-        written >= WRITTEN_MIN || choices >= CHOICES_MIN && waits_for_none || waits.len() == 2 && has_place && has_extreme
     }
 
     /// How long a value waits for what a cell holds when a turn begins; `None` if it does not rest on that.

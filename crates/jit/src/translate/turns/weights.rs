@@ -72,9 +72,4 @@ impl Writing<'_, '_, '_> {
             (InnerTurns::Constant(turns), _) => self.t.turns_constant(turns),
         }
     }
-
-    /// Makes as many turns of the inner loop as somebody counted.
-    pub(super) fn turns_inside(&mut self, turns: Value) {
-        self.inner_turns = Some(turns);
-    }
 }

@@ -12,10 +12,14 @@ use super::super::ranges::Bytes;
 use super::kernel::{Access, Copied, Kernel, Level, Node, Part, Step};
 use super::reader::{Goes, Reader};
 use super::write::Writing;
+use crate::passes::Pass;
 
 impl Reader<'_, '_> {
     /// Reads a copy of bytes that is made as a whole.
     pub(super) fn copy_whole(&mut self, index: u32, (from, to, bytes): (Place, Place, u32), steps: &mut Vec<Step>) -> Option<()> {
+        if !self.kernel.passes.has(Pass::StructCopies) {
+            return None;
+        }
         if bytes > MOVED_BYTES_MAX || !self.is_outer() {
             return None;
         }

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use cranelift_codegen::ir::condcodes::IntCC;
-use cranelift_codegen::ir::types::{I16, I32, I64};
+use cranelift_codegen::ir::types::I64;
 use cranelift_codegen::ir::{Block, BlockArg, InstBuilder, Value};
 use sieben_engine::ir::Op;
 use sieben_model::address::Width;
@@ -13,15 +13,11 @@ use super::super::loops::Loop;
 use super::super::promote::Base;
 use super::super::value::Val;
 use super::alike::Alike;
+use super::count::Progress;
 use super::divide::greatest;
 use super::handed::Handed;
 use super::kernel::{Access, Cell, Kept, Kernel, Level, Node, Step, What};
-use super::left::{Progress, Waiting};
-use super::left_beside::LeftBeside;
-use super::line::{Carried, Line, Shape, Sum};
-use super::near_bits::NearBits;
-use super::nested::Nested;
-use super::parted::{HandedOn, Parted};
+use super::line::{Carried, Line, Sum};
 use super::pieces::{self, Gathered, Piece, Place};
 use super::records::Records;
 use super::spread::Apart;
@@ -38,8 +34,6 @@ pub(super) struct Scope {
     pub(super) addresses: HashMap<(Base, Node, u32), Value>,
     /// Bytes of which one bit was read or written, by their addresses and accesses to them: one of each turn, or vectors of them.
     pub(super) bytes: Vec<(Value, i32, usize, Vec<Value>)>,
-    /// Pieces with bits that are read together, by the accesses to the first ones.
-    pub(super) near_bits: HashMap<usize, Value>,
     /// Where turns side by side have read what lies apart, by the accesses.
     pub(super) sources: Vec<(usize, Apart)>,
 }
@@ -55,16 +49,8 @@ pub(super) struct Writing<'t, 'a, 'k> {
     pub(super) gathered: Option<Gathered>,
     /// Those that make whole bytes in turns behind these ones: single turns are made up to the first bit of a byte.
     up_to: Option<Gathered>,
-    /// Bits that single turns read together.
-    pub(super) near_bits: NearBits,
-    /// How the turns of the inner loop are done, if they are done side by side.
-    nested: Option<&'k Nested>,
     /// How turns side by side are done that all go the same way.
     pub(super) alike: Option<&'k Alike>,
-    /// How single turns part.
-    pub(super) parted: Option<&'k Parted>,
-    /// Turns that are written behind one another instead of as a loop.
-    pub(super) unrolled: u32,
     /// Which of these turns is written, and their bytes so far.
     pub(super) turn: u32,
     pub(super) pieces: BTreeMap<Place, Piece>,
@@ -78,20 +64,11 @@ pub(super) struct Writing<'t, 'a, 'k> {
     pub(super) in_lanes: HashMap<(Node, u32), Val>,
     /// What cells hold in front of the loop.
     pub(super) before: HashMap<Cell, Val>,
-    /// What cells hold when the rest of the inner loop begins, if turns side by side have been made.
-    pub(super) entered: HashMap<Cell, Val>,
     sums: HashMap<Cell, Vec<Value>>,
-    /// Cells that some of the turns side by side write, and the marks and values of the last ones of each lane.
-    pub(super) left_beside: Vec<LeftBeside>,
-    lefts: HashMap<Cell, (Vec<Value>, Vec<Value>)>,
     /// Choices that leave the less or greater of two REALs or LREALs for the next turn.
     pub(super) extremes: BTreeSet<Node>,
-    /// Choices that lead to addresses of the next turn.
-    pub(super) chased: BTreeSet<Node>,
     /// What blocks have taken from the budget that not all turns enter.
     pub(super) taken: Option<Val>,
-    /// Values that wait on the stack for what the last turn that wrote them leaves.
-    pub(super) waiting: Vec<Waiting>,
     /// How many turns the inner loop makes in each turn of the outer one.
     pub(super) inner_turns: Option<Value>,
     /// How many turns of the outer loop are made, and where it is.
@@ -105,11 +82,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
         Self::new(t, plan, writes).version(it);
     }
 
-    pub(super) fn new(
-        t: &'t mut Translator<'a>,
-        plan: &'k Plan,
-        Writes { lanes, gathered, up_to, nested, alike, parted }: Writes<'k>,
-    ) -> Self {
+    pub(super) fn new(t: &'t mut Translator<'a>, plan: &'k Plan, Writes { lanes, gathered, up_to, alike }: Writes<'k>) -> Self {
         let kernel = &plan.kernel;
         Writing {
             t,
@@ -118,11 +91,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             lanes,
             gathered,
             up_to,
-            near_bits: if lanes == 1 { kernel.near_bits() } else { NearBits::new() },
-            nested,
             alike,
-            parted,
-            unrolled: 1,
             turn: 0,
             pieces: BTreeMap::new(),
             records: kernel.records(lanes),
@@ -131,14 +100,9 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             written: Vec::new(),
             in_lanes: HashMap::new(),
             before: HashMap::new(),
-            entered: HashMap::new(),
             sums: HashMap::new(),
-            left_beside: Vec::new(),
-            lefts: HashMap::new(),
             extremes: BTreeSet::new(),
-            chased: if lanes == 1 { kernel.chased() } else { BTreeSet::new() },
             taken: None,
-            waiting: Vec::new(),
             inner_turns: None,
             progress: None,
         }
@@ -160,7 +124,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
     }
 
     /// Takes what cells hold in front of the loop.
-    pub(super) fn take_before(&mut self) {
+    fn take_before(&mut self) {
         for cell in self.kernel.cells_at_start() {
             let value = self.t.cell_before(self.kernel, cell);
             self.before.insert(cell, value);
@@ -168,7 +132,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
     }
 
     /// Takes turns from the budget and goes where more turns may follow, or behind the loop if these were all.
-    pub(super) fn leave_whole(&mut self, it: &Loop, (turns, all): (Value, Value), go_on: Block) {
+    fn leave_whole(&mut self, it: &Loop, (turns, all): (Value, Value), go_on: Block) {
         let weight = i64::from(self.kernel.outer.weight);
         let left = self.take_budget(turns);
         let budget = self.t.budget();
@@ -183,7 +147,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
     }
 
     /// How many turns are made here, whether any are, and how many the loop has.
-    pub(super) fn how_many(&mut self) -> (Value, Value, Value) {
+    fn how_many(&mut self) -> (Value, Value, Value) {
         let count = self.plan.count;
         let counter = self.value_before(count.counter);
         let limit = count.limit.map_or(Val::Const(0), |limit| self.value_before(limit));
@@ -229,9 +193,6 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             let condition = self.t.flag(condition);
             let is_so = self.t.b.ins().icmp_imm_u(IntCC::Equal, condition, i64::from(holds));
             also(self, is_so);
-        }
-        for is_number in self.are_numbers() {
-            also(self, is_number);
         }
         let guard = self.look_at_numbers(turns, guard);
         (turns, guard, all)
@@ -318,9 +279,6 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
     /// The same for the inner loop, in a turn of the outer one.
     pub(super) fn value_at_entry(&mut self, node: Node) -> Val {
         if let What::Start(Level::Inner, cell) = self.kernel.what(node) {
-            if let Some(&entered) = self.entered.get(&cell) {
-                return entered;
-            }
             let entry = self.plan.entry(cell);
             return self.first(entry, Level::Outer);
         }
@@ -351,9 +309,6 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
     /// Writes turns of a loop; the vectors of its sums behind it.
     pub(super) fn turns(&mut self, level: Level, turns: Value) -> Vec<Value> {
         let step = if level == Level::Outer { self.lanes } else { 1 };
-        if level == Level::Outer && self.lanes == 1 {
-            self.waiting = self.kernel.left().into_iter().map(|left| self.t.begin_left(left)).collect();
-        }
         let handed = self.handed(level);
         // An address that is counted on tells when the last turn was made, if it has one.
         let counting = handed.iter().enumerate().find_map(|(at, one)| match *one {
@@ -380,7 +335,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                 self.t.b.append_block_param(head, ty)
             })
             .collect();
-        let together = if level == Level::Outer { self.behind_one_another().max(self.unrolled) } else { 1 };
+        let together = if level == Level::Outer { self.behind_one_another() } else { 1 };
         self.written.clear();
         self.in_lanes.clear();
         let mut now = parameters;
@@ -399,14 +354,9 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
             }
             self.begin(level, &handed, &now[others..]);
             let next_of_turn = match self.alike {
-                Some(alike) if level == Level::Outer => Some(self.turns_alike(alike, &handed, &now, progress)),
-                None if level == Level::Outer
-                    && let Some(parted) = self.parted =>
-                {
-                    Some(self.turn_parted(parted, HandedOn { handed: &handed, now: &now, others }, progress))
-                }
+                Some(alike) if level == Level::Outer => Some(self.turns_alike(alike, &handed, &now)),
                 _ => {
-                    self.steps_of_turn(level, progress);
+                    self.steps_of_turn(level);
                     None
                 }
             };
@@ -422,7 +372,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                 None => vec![self.t.b.ins().iadd_imm_s(now[0], -i64::from(step))],
             };
             for (one, own) in handed.iter().zip(self.owned(&handed, &now[others..])) {
-                self.next_of(level, one, &own, now[0], &mut next);
+                self.next_of(level, one, &own, &mut next);
             }
             now = next;
         }
@@ -436,16 +386,11 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
         };
         let behind = self.t.b.create_block();
         let arguments: Vec<BlockArg> = next.iter().map(|&value| BlockArg::Value(value)).collect();
-        if level == Level::Outer && self.unrolled > 1 {
-            self.t.b.ins().jump(behind, &[]);
-        } else {
-            self.t.b.ins().brif(again, head, &arguments, behind, &[]);
-        }
+        self.t.b.ins().brif(again, head, &arguments, behind, &[]);
         self.t.b.seal_block(head);
         self.t.b.switch_to_block(behind);
         self.t.b.seal_block(behind);
         let mut all = Vec::new();
-        let mut marks = Vec::new();
         let mut at = others;
         for one in &handed {
             let count = self.count_of(one);
@@ -453,26 +398,14 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                 self.sums.insert(*cell, next[at..at + count].to_vec());
                 all.extend(&next[at..at + count]);
             }
-            match one {
-                Handed::Mark(_) => marks = next[at..at + count].to_vec(),
-                Handed::Left(number, _) => {
-                    let cell = self.left_beside[*number].cell;
-                    self.lefts.insert(cell, (marks.clone(), next[at..at + count].to_vec()));
-                }
-                _ => {}
-            }
             at += count;
         }
         all
     }
 
     /// Does what a turn does, or several of them side by side.
-    pub(super) fn steps_of_turn(&mut self, level: Level, progress: Progress) {
-        // What is written to one structure is written at the end of a turn.
-        let is_late = level == Level::Outer && self.gathered.is_none() && (self.lanes == 1 || self.records.are_several());
-        let steps =
-            if is_late { self.kernel.steps_with_late_reads(self.lanes, &self.records) } else { self.kernel.turn(level).steps.clone() };
-        let mut steps = steps.into_iter().peekable();
+    pub(super) fn steps_of_turn(&mut self, level: Level) {
+        let mut steps = self.kernel.turn(level).steps.iter().copied().peekable();
         while let Some(step) = steps.next() {
             match step {
                 Step::Copy(first) => {
@@ -492,95 +425,24 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                     self.written.extend(self.kernel.accesses[access].value.is_some().then_some(access));
                 }
                 Step::Inner => {
-                    match self.nested {
-                        Some(nested) => self.inner_side_by_side(nested),
-                        None => {
-                            let turns = self.all_inner_turns();
-                            self.inner = Scope::default();
-                            self.turns(Level::Inner, turns);
-                        }
-                    }
+                    let turns = self.all_inner_turns();
+                    self.inner = Scope::default();
+                    self.turns(Level::Inner, turns);
                     self.outer.bytes.clear();
                 }
             }
-            self.leave(level, progress, false);
         }
         self.write_records();
-        self.leave(level, progress, true);
-    }
-
-    /// Puts down what the turn leaves, as soon as its values are known.
-    fn leave(&mut self, level: Level, progress: Progress, at_end: bool) {
-        if level == Level::Inner {
-            return;
-        }
-        let mut waiting = std::mem::take(&mut self.waiting);
-        for one in waiting.iter_mut().filter(|one| !one.written) {
-            let conditions = one.left.conditions.iter().map(|&(condition, _)| condition);
-            let known = |node: Node| self.kernel.constant(node).is_some() || self.outer.values.contains_key(&node);
-            if !at_end && !conditions.clone().chain(one.left.waiting.iter().copied()).all(known) {
-                continue;
-            }
-            let fails = |&(condition, holds): &(Node, bool)| self.kernel.constant(condition).is_some_and(|value| (value & 1 != 0) != holds);
-            if one.left.conditions.iter().any(fails) {
-                one.written = true;
-                continue;
-            }
-            let conditions: Vec<Val> = conditions.map(|condition| self.first(condition, level)).collect();
-            let values: Vec<Val> = one.left.waiting.iter().map(|&value| self.first(value, level)).collect();
-            self.t.put_left(one, &conditions, &values, progress.mark());
-            one.written = true;
-        }
-        self.waiting = waiting;
-    }
-
-    /// What a cell holds behind the turns, if what the last turn left that wrote it was put down.
-    fn was_left(&mut self, cell: Cell, turns: Value) -> Option<Val> {
-        let value_of = |one: &Waiting| one.left.cells.iter().find(|(left, _)| *left == cell).map(|&(_, value)| value);
-        let (at, value) = self.waiting.iter().enumerate().find_map(|(at, one)| Some((at, value_of(one)?)))?;
-        let (_, progress) = self.progress?;
-        let mark = self.t.mark_left(&self.waiting[at]);
-        let any = self.t.b.ins().icmp_imm_s(IntCC::NotEqual, mark, 0);
-        let made = self.t.turns_before(progress, mark, turns);
-        let value = self.value_left(at, value, made);
-        let before = self.before[&cell];
-        if self.kernel.kept(cell).is_wide() {
-            let (value, before) = (self.t.word(value), self.t.word(before));
-            return Some(Val::Word(self.t.b.ins().select(any, value, before)));
-        }
-        let (value, before) = (self.t.int(value), self.t.int(before));
-        Some(Val::Int(self.t.b.ins().select(any, value, before)))
-    }
-
-    /// What a value was in the last turn that wrote such cells, so many turns behind the first one.
-    fn value_left(&mut self, at: usize, value: Node, made: Value) -> Val {
-        if let Some(line) = self.kernel.line(value, Level::Outer) {
-            let first = self.value_before(value);
-            return self.t.behind(first, line, made);
-        }
-        if let Some(value) = self.t.take_left(&self.waiting[at], value) {
-            return value;
-        }
-        let What::Compute(op, args) = self.kernel.what(value) else { unreachable!("what is not computed waits") };
-        let args: Vec<Val> = args[..op.arity()].iter().map(|&arg| self.value_left(at, arg, made)).collect();
-        self.t.compute_now(op, &args)
-    }
-
-    pub(super) fn is_left(&self, cell: Cell) -> bool {
-        self.waiting.iter().any(|one| one.left.cells.iter().any(|&(left, _)| left == cell))
     }
 
     /// What a cell holds in front of a loop.
     pub(super) fn entry(&mut self, level: Level, cell: Cell) -> Lanes {
         match level {
             Level::Outer => Lanes::One(self.before[&cell]),
-            Level::Inner => match self.entered.get(&cell) {
-                Some(&entered) => Lanes::One(entered),
-                None => {
-                    let entry = self.plan.entry(cell);
-                    self.value(entry, Level::Outer)
-                }
-            },
+            Level::Inner => {
+                let entry = self.plan.entry(cell);
+                self.value(entry, Level::Outer)
+            }
         }
     }
 
@@ -603,42 +465,6 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
 
     pub(super) fn base(&self, base: Base) -> Value {
         self.t.address_of_base(base)
-    }
-
-    /// The lanes whose turns write cells that are left.
-    pub(super) fn where_left(&mut self, number: usize, level: Level) -> Vec<Value> {
-        let conditions = self.left_beside[number].conditions.clone();
-        let conditions: Vec<(Lanes, bool)> =
-            conditions.into_iter().map(|(condition, holds)| (self.value(condition, level), holds)).collect();
-        self.t.where_all(&conditions, self.lanes)
-    }
-
-    /// What a cell holds behind turns side by side, if some of them write it.
-    fn was_left_beside(&mut self, cell: Cell) -> Option<Val> {
-        let left = self.left_beside.iter().find(|left| left.cell == cell)?;
-        let (marks, vectors) = self.lefts.get(&cell)?.clone();
-        let shape = left.shape;
-        let before = self.before[&cell];
-        let before = match shape {
-            Shape::Quads => self.t.word(before),
-            Shape::Halves => {
-                let before = self.t.int(before);
-                self.t.b.ins().ireduce(I16, before)
-            }
-            // A bit is as many as a number has in its lane.
-            Shape::Mask => {
-                let before = self.t.flag(before);
-                self.t.b.ins().ineg(before)
-            }
-            _ => self.t.int(before),
-        };
-        let value = self.t.last_of_lanes(&marks, &vectors, before);
-        Some(match shape {
-            Shape::Quads => Val::Word(value),
-            Shape::Halves => Val::Int(self.t.b.ins().uextend(I32, value)),
-            Shape::Mask => Val::Bit { value, clean: false },
-            _ => Val::Int(value),
-        })
     }
 
     /// A value in the running turn.
@@ -667,7 +493,7 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                         && let (Some(line), Some((turns, progress))) = (self.kernel.cell_line(of, cell), self.progress)
                         && !line.is_same() =>
                     {
-                        let made = self.t.turns_before(progress, progress.mark(), turns);
+                        let made = self.t.turns_made(progress, turns);
                         Lanes::One(self.t.behind(self.before[&cell], line, made))
                     }
                     None => {
@@ -709,10 +535,6 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                     && let Some((extreme, _, ty)) = self.kernel.extreme_of_reals(node)
                 {
                     return Lanes::One(self.t.exact_extreme(extreme, [firsts[1], firsts[2]], ty));
-                }
-                if self.chased.contains(&node) {
-                    let bits = if self.kernel.is_16_bits(node) { 16 } else { 32 };
-                    return Lanes::One(self.t.chosen_by_jump([firsts[0], firsts[1], firsts[2]], bits));
                 }
                 self.note_bounds(node, &firsts);
                 return Lanes::One(self.t.compute_now(op, &firsts));
@@ -803,8 +625,6 @@ impl<'t, 'a, 'k> Writing<'t, 'a, 'k> {
                     continue;
                 }
                 Carried::Chain if self.lanes > 1 && self.kernel.in_order.cells.contains(&cell) => self.in_lane(end, self.lanes - 1),
-                Carried::Chain if let Some(value) = self.was_left(cell, turns) => value,
-                Carried::Chain if let Some(value) = self.was_left_beside(cell) => value,
                 _ => {
                     let value = self.value(end, Level::Outer);
                     self.t.last_lane(&value, self.lanes)
