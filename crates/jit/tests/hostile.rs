@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
 
-use sieben_engine::ir::{Builder, DataRegister, Inst, OnFault, Op, Place, Target};
+use sieben_engine::ir::{Builder, Callee, DataRegister, Inst, OnFault, Op, Place, Target};
 use sieben_engine::machine::Register;
 use sieben_engine::{CodeBlock, Entry, Interpreter, Layout, Machine, Program, Reaction};
 use sieben_jit::{Jit, StatusBits, Tier, Tiers};
@@ -193,4 +193,41 @@ fn what_is_too_large_says_so() {
     let refused = Jit::compiled(&loops(1_001), &layout, StatusBits::All).err().expect("too many loops");
     assert!(refused.contains("1001 places"), "{refused}");
     assert_eq!(Jit::load(&program, &layout).code_bytes(), 0, "it is interpreted");
+}
+
+/// So many blocks that call one another, each with statements that may fail; the first one has so many calls.
+fn nested_calls(depth: u16, calls: u32) -> Program {
+    let block = |number: u16| {
+        let mut builder = Builder::default();
+        for statement in 0..20 {
+            builder.begin_statement();
+            let from = Place::Fixed { area: Area::SharedData, position: 8 * (statement + 20 * u32::from(number)) };
+            let byte = builder.load(from, Width::Byte, OnFault::SkipStatement);
+            builder.store(Place::Fixed { area: Area::BitMemory, position: 8 * statement }, Width::Byte, byte);
+        }
+        let calls = match number {
+            0 => calls,
+            _ => u32::from(number < depth),
+        };
+        for _ in 0..calls {
+            builder.begin_statement();
+            let pointer = builder.constant(0x8300_0000);
+            builder.push(Inst::PassParameter { src: pointer });
+            builder.push(Inst::Call { callee: Callee::Block(BlockId::fc(number + 1)), parameters: 1 });
+        }
+        let id = if number == 0 { BlockId::ob(1) } else { BlockId::fc(number) };
+        (id, CodeBlock { code: builder.finish(), local_size: 20, ..CodeBlock::default() })
+    };
+    Program { code: (0..=depth).map(block).collect(), ..Program::default() }
+}
+
+/// A statement that fails in a block that was inlined six deep shows the activations of all six.
+#[test]
+fn many_statements_that_fail_in_nested_calls() {
+    in_time("200 calls, each six deep", &nested_calls(6, 200));
+    in_time("40 calls, each sixteen deep", &nested_calls(16, 40));
+    // Few instructions that become many have room for their code.
+    let program = nested_calls(6, 10);
+    let layout = Layout::new(&CpuType::ALL[0], &program);
+    assert!(Jit::compiled(&program, &layout, StatusBits::Needed).is_ok_and(|engine| engine.code_bytes() > 1 << 20));
 }

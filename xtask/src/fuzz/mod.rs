@@ -22,6 +22,10 @@ pub use targets::{TARGETS, Target};
 
 /// An input that takes more CPU time is a hang. Inputs are at most [`mutator::INPUT_BYTES_MAX`] bytes long and take milliseconds.
 const HANG: Duration = Duration::from_secs(10);
+/// The same where an input is compiled for several engines: blocks that call one another become functions of a million instructions.
+const HANG_OF_COMPILERS: Duration = Duration::from_secs(60);
+/// Targets that compile their inputs for several engines.
+const COMPILERS: [&str; 2] = ["engines", "trees"];
 /// So is one that takes longer by the clock, for it waits for something. On a busy machine an input waits for the processor, too.
 const WAITS: Duration = Duration::from_secs(100);
 /// How often the parent looks at the child.
@@ -98,7 +102,8 @@ fn parent(target: &Target, seed: u64, share: Duration) -> Result<bool, String> {
         .spawn()
         .map_err(|error| format!("cannot start the child: {error}"))?;
     let started = Instant::now();
-    let end = watch(&mut child, &progress, started, share);
+    let hang = if COMPILERS.contains(&target.name) { HANG_OF_COMPILERS } else { HANG };
+    let end = watch(&mut child, &progress, hang, started, share);
     let executions = Progress::read(&progress).input;
     let _ = fs::remove_file(&progress);
     let seconds = started.elapsed().as_secs_f64();
@@ -127,7 +132,7 @@ enum End {
     Hung,
 }
 
-fn watch(child: &mut Child, progress: &Path, started: Instant, share: Duration) -> End {
+fn watch(child: &mut Child, progress: &Path, hang: Duration, started: Instant, share: Duration) -> End {
     let mut seen = (Progress::read(progress), Instant::now());
     let end = loop {
         std::thread::sleep(POLL);
@@ -142,7 +147,7 @@ fn watch(child: &mut Child, progress: &Path, started: Instant, share: Duration) 
         if started.elapsed() >= share && seen.1.elapsed() < POLL * 5 {
             break End::TimeUp;
         }
-        if now.cpu_time.saturating_sub(seen.0.cpu_time) >= HANG || seen.1.elapsed() >= WAITS {
+        if now.cpu_time.saturating_sub(seen.0.cpu_time) >= hang || seen.1.elapsed() >= WAITS {
             break End::Hung;
         }
     };

@@ -154,6 +154,16 @@ pub(super) fn plan(blocks: &[Native], find: Find<'_>) -> Vec<Plan> {
     plans
 }
 
+/// IR instructions of all blocks, with all that may become part of them.
+pub(super) fn instructions_max(blocks: &[Native], find: Find<'_>, plans: &[Plan]) -> usize {
+    let inlined = |&callee: &usize| plans[callee].inlined;
+    let each = blocks.iter().zip(callees(blocks, find)).map(|(block, callees)| {
+        let growth = callees.iter().filter_map(inlined).fold(0, usize::saturating_add);
+        block.code.insts.len() + growth.min(2 * GROWTH_MAX)
+    });
+    each.sum()
+}
+
 /// Whether a block is handed pointers, as parameters or in its instance, or goes where others lead that it computes.
 fn takes_pointers(code: &Code) -> bool {
     let crosses = |place: &Place| matches!(place, Place::Crossing { .. });

@@ -220,7 +220,9 @@ fn write(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options, m
     let quick = if options.optimize { Some(instruction_set("none", "single_pass", machine)?) } else { None };
     let frame_limit = STACK_BYTES / levels_needed(layout) - STACK_BYTES_OF_A_CALL;
     let mut builder = JITBuilder::with_isa(isa, cranelift_module::default_libcall_names());
-    let insts: usize = blocks.iter().map(|block| block.code.insts.len()).sum();
+    let passes = options.passes;
+    let plans = if passes.has(Pass::Inlining) { inlining::plan(blocks, find) } else { vec![inlining::Plan::default(); blocks.len()] };
+    let insts = inlining::instructions_max(blocks, find, &plans);
     let reserve = insts.saturating_mul(RESERVED_BYTES_PER_INSTRUCTION).clamp(RESERVED_BYTES_MIN, RESERVED_BYTES_MAX);
     builder.memory_provider(Box::new(ArenaMemoryProvider::new_with_size(reserve).map_err(|error| error.to_string())?));
     builder.symbol_lookup_fn(Box::new(outside::address));
@@ -230,8 +232,6 @@ fn write(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options, m
     let needs = instance_needs::find(blocks, &pointers, find);
     let mut versions = Versions::new(&mut module, blocks, find, needs, options.optimize).map_err(|error| error.to_string())?;
     let summaries = analysis::summaries(blocks, find, options.exact);
-    let passes = options.passes;
-    let plans = if passes.has(Pass::Inlining) { inlining::plan(blocks, find) } else { vec![inlining::Plan::default(); blocks.len()] };
     let effects = match passes.has(Pass::ModRef) {
         true => effects::find(blocks, find, (layout, passes), &plans, &pointers),
         false => vec![None; blocks.len()],
