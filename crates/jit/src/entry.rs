@@ -60,7 +60,7 @@ impl Generation {
     /// Runs a block; whether the run is left.
     ///
     /// `local` is the address of its local data, which lie inside the arena, and `link` that of its entry in the list of links: the
-    /// callers in `ask.rs` check both against the limits of the run.
+    /// callers in `runtime_calls.rs` check both against the limits of the run.
     ///
     /// # Panics
     /// If nobody but other machine code was to enter the block: organization blocks, and those that are called by a computed number, are

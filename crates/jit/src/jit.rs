@@ -1,4 +1,4 @@
-//! The engine: a program as machine code, with an interpreter beside it for what machine code cannot do.
+//! The engine: a program as machine code, with an interpreter for what machine code cannot do.
 
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
@@ -15,11 +15,11 @@ use sieben_model::address::{Area, Width};
 use sieben_model::block::{BlockId, BlockKind};
 
 use crate::entry::{Function, Generation};
-use crate::handed;
 use crate::passes::{Pass, PassSet};
 use crate::run::{Areas, Limits, OpenTable, Room, Run, Scratch, areas, open_table};
+use crate::stack_lifetimes;
 use crate::translate::{self, Options};
-use crate::written_out::{Turns, WrittenOut, write_out};
+use crate::unrolling::{Unrolled, UnrolledLoop, write_out};
 
 /// More parameters at one call are left to the interpreter: every activation has room for as many.
 const PARAMETERS_MAX: usize = 256;
@@ -52,12 +52,12 @@ pub(crate) struct Native {
     /// Bits of the local data beside which nobody needs anything in their byte, in order.
     pub(crate) single_bits: Vec<u32>,
     /// What its numbers are in the program, if loops are written out.
-    pub(crate) written_out: Option<WrittenOut>,
+    pub(crate) written_out: Option<Unrolled>,
 }
 
 impl Native {
-    /// The same with its loops of few turns written out.
-    fn with_turns_written_out(&self) -> Self {
+    /// The same with its loops of few iterations written out.
+    fn with_iterations_written_out(&self) -> Self {
         let Some((code, written_out)) = write_out(&self.code) else { return self.clone() };
         Self { code, written_out: Some(written_out), ..self.clone() }
     }
@@ -79,8 +79,8 @@ impl Native {
     }
 
     /// Loops that are written out.
-    pub(crate) fn turns(&self) -> &[Turns] {
-        self.written_out.as_ref().map_or(&[], WrittenOut::turns)
+    pub(crate) fn iterations(&self) -> &[UnrolledLoop] {
+        self.written_out.as_ref().map_or(&[], Unrolled::iterations)
     }
 
     /// What entering it takes from the budget.
@@ -145,8 +145,8 @@ impl Source {
             }
             let mut private = block.private.clone();
             private.sort_unstable();
-            let handed = handed::of_one_statement(block);
-            let single_bits = handed::single_bits(block, &handed);
+            let handed = stack_lifetimes::of_one_statement(block);
+            let single_bits = stack_lifetimes::single_bits(block, &handed);
             Native { id, local_size: block.local_size, code, private, handed, single_bits, written_out: None }
         };
         let blocks: Arc<[Native]> = program.code.iter().map(native).collect();
@@ -186,7 +186,7 @@ impl Source {
     /// The blocks as they are compiled.
     fn blocks(&self, options: Options) -> Cow<'_, [Native]> {
         match options.does(Pass::Unrolling) && !options.exact {
-            true => self.blocks.iter().map(Native::with_turns_written_out).collect(),
+            true => self.blocks.iter().map(Native::with_iterations_written_out).collect(),
             false => Cow::Borrowed(&self.blocks),
         }
     }
@@ -274,7 +274,8 @@ impl Compiled {
             || self.pinned.iter().all(|&(number, entry)| memory.data_block(u64::from(number)) == Some(entry))
     }
 
-    /// Whether no data block is protected, or the code asks before it writes. One may have been restored that SFC 85 made in another program.
+    /// Whether no data block is protected, or the code asks before it writes. One may have been restored that SFC 85 made in another
+    /// program.
     fn protects(&self, memory: &Memory) -> bool {
         self.asks_before_writing || !memory.data_blocks.iter().flatten().any(|entry| entry.read_only)
     }

@@ -2,16 +2,16 @@
 //!
 //! Only `entry.rs` holds `unsafe`: it makes executable memory out of what the translator wrote and calls it.
 
-mod ask;
+mod deoptimization;
 mod entry;
-mod handed;
 mod jit;
 mod passes;
 mod run;
+mod runtime_calls;
+mod stack_lifetimes;
 mod tiers;
 mod translate;
-mod turn;
-mod written_out;
+mod unrolling;
 
 pub use jit::{Jit, StatusBits};
 pub use passes::{Pass, PassSet};

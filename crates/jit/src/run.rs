@@ -1,4 +1,4 @@
-//! What machine code works on: the registers, the links between activations, and what it asks Rust code for.
+//! The runtime frame of machine code: registers, links between activations, and what runtime calls work on.
 
 use std::cell::Cell;
 use std::ops::Range;
@@ -146,7 +146,7 @@ pub(crate) struct Limits {
     pub(crate) local_start: usize,
     /// First byte behind the local data of its priority class.
     local_end: u64,
-    /// Bytes of the links in front of the last one that a call may use.
+    /// Bytes of the links before the last one that a call may use.
     links: u64,
 }
 
@@ -293,7 +293,7 @@ impl<'a, 'c> Run<'a, 'c> {
         let Some((newest, frame)) = machine.frames.iter().enumerate().next_back() else { return };
         let deeper = if frame.in_error { layout.nesting_depth_error } else { 0 };
         let depth_max = usize::from(layout.nesting_depth.saturating_add(deeper));
-        // Activations are counted through all priority classes, frames in each of them anew.
+        // Activations are counted through all priority classes, frames in each of them again.
         let link_max = (newest - usize::from(frame.depth).min(newest) + depth_max).min(LINKS - 2);
         let local_end = (layout.local.start + frame.class_base as usize + layout.local_class).min(layout.local.end);
         self.link_max = self.link_address(link_max) as u64;

@@ -1,4 +1,4 @@
-//! A program that begins in the interpreter and becomes machine code while it runs.
+//! Tiering: a program begins in the interpreter and is compiled while it runs.
 
 use std::fmt;
 use std::sync::atomic::{AtomicU64, Ordering};

@@ -1,7 +1,7 @@
-//! Writes the IR of a block as a function of Cranelift's IR.
+//! Code generation: the IR of a block becomes a function of Cranelift's IR.
 //!
-//! Registers of the CPU are variables while the block runs; they are stored where somebody else reads them: at calls, at the end
-//! and where the Host is asked. A path on which something failed is cold code behind the function.
+//! Registers of the CPU are variables while the block runs; they are stored where something else reads them: at calls, at the end and at
+//! runtime calls. A path on which something failed is cold code at the end of the function.
 
 use std::collections::BTreeSet;
 use std::mem::offset_of;
@@ -20,87 +20,87 @@ use sieben_engine::machine::{Register, Registers};
 use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockKind;
 
-use crate::ask::{GO_ON, LEAVE, Question};
 use crate::jit::{Native, end};
 use crate::run::Run;
+use crate::runtime_calls::{GO_ON, LEAVE, RuntimeCall};
 
-mod alone;
-mod analysis;
-mod budget;
-mod bytes;
+mod address_reuse;
+mod bounds_checks;
+mod bracket_promotion;
 mod calls;
-mod choices;
+mod congruence;
 mod dead_loads;
 mod decimal;
-mod effects;
-mod elements;
+mod dereferenceable;
+mod division_by_constants;
 mod flow;
-mod gates;
-mod home;
-mod inline;
+mod if_conversion;
 mod inlining;
-mod inside;
-mod instance;
-mod instance_needs;
-mod instance_pointer;
-mod interpreted;
+mod instance_bounds;
+mod instruction_selection;
 mod intrinsics;
-mod loops;
+mod live_range_splitting;
+mod load_elimination;
+mod load_sinking;
+mod loop_optimizer;
 mod memory;
+mod memory_to_register;
+mod mod_ref;
 mod moves;
-mod near_reads;
-mod nesting;
-mod numbers;
+mod natural_loops;
 mod open;
-mod outside;
-mod own_block;
+mod pointer_propagation;
+mod preserved_block;
 mod program;
-mod promote;
-mod quotients;
-mod ranges;
-mod series;
+mod range_analysis;
+mod region_exits;
+mod safepoint_coalescing;
+mod scalar_promotion;
 mod shifts;
 mod sized;
-mod spacing;
-mod text_bytes;
-mod text_lengths;
-mod text_numbers;
-mod text_order;
-mod texts;
-mod turns;
+mod slp_calls;
+mod specialization;
+mod status_liveness;
+mod store_merging;
+mod string_bytes;
+mod string_comparison;
+mod string_conversion;
+mod string_lengths;
+mod strings;
+mod symbolic_summaries;
+mod symbols;
+mod thunks;
+mod unrolling;
 mod value;
-mod versions;
-mod words;
-mod written_out;
 
-use alone::Reliance;
-use analysis::{SPARED, Summary, open_blocks, set_by_calls};
-use budget::Look;
-use bytes::Bytes;
-use choices::Choice;
-use effects::Effects;
-use elements::Elements;
-use flow::Arrival;
-use inlining::{Grown, Outer, Plan};
-use instance::Instance;
-use instance_pointer::InstancePointer;
-use interpreted::Interpreted;
-use loops::Loop;
-pub(crate) use loops::{made_by, targets};
-use outside::{Functions, Outside};
+use address_reuse::AvailableAddresses;
+use flow::MergeState;
+use if_conversion::Predicate;
+use inlining::{CodeGrowth, InlineFrame, InlinePlan};
+use instance_bounds::Instance;
+use memory_to_register::LocalValues;
+use mod_ref::ModRef;
+use natural_loops::NaturalLoop;
+pub(crate) use natural_loops::{made_by, targets};
+use pointer_propagation::InstancePointer;
 #[cfg(feature = "aarch64")]
 pub(crate) use program::aarch64_bytes;
 #[cfg(target_arch = "x86_64")]
 pub(crate) use program::counted_bytes;
 use program::{Find, block_signature, words_signature};
 pub(crate) use program::{Options, listing, program};
-use promote::{Base, Computed, Promoted};
-use ranges::Ranges;
-use series::Series;
-use text_lengths::KeptLength;
+use range_analysis::Ranges;
+use region_exits::RegionExit;
+use safepoint_coalescing::BudgetCheck;
+use scalar_promotion::{Base, ComputedAddress, Promoted};
+use slp_calls::SlpGroup;
+use specialization::{Assumed, Specializations};
+use status_liveness::{SPARED, Summary, open_blocks, set_by_calls};
+use store_merging::AvailableBits;
+use string_lengths::PromotedLength;
+use symbolic_summaries::Reliance;
+use symbols::{Functions, Symbol};
 use value::{Constants, Lazy, Val};
-use versions::{Known, Versions};
-use words::Words;
 
 /// Whether a register holds one bit.
 fn is_bit(register: Register) -> bool {
@@ -147,7 +147,7 @@ const AT_CALL: &[(Register, u64)] =
 
 /// Where a path goes on after the Host answered.
 #[derive(Clone, Copy)]
-enum After {
+enum Continuation {
     /// At the next statement.
     NextStatement,
     /// At this block, with `run.value` as its argument.
@@ -164,8 +164,8 @@ struct Program<'a> {
     functions: &'a Functions,
     blocks: &'a [Native],
     summaries: &'a [Summary],
-    plans: &'a [Plan],
-    effects: &'a [Option<Effects>],
+    plans: &'a [InlinePlan],
+    effects: &'a [Option<ModRef>],
     pointers: &'a [InstancePointer],
     find: Find<'a>,
     layout: &'a Layout,
@@ -173,7 +173,7 @@ struct Program<'a> {
 }
 
 /// What a function relies on.
-struct Found {
+struct Assumptions {
     /// Data blocks that it takes to be as they were loaded.
     pinned: BTreeSet<u16>,
 }
@@ -184,10 +184,10 @@ struct Translator<'a> {
     functions: &'a Functions,
     blocks: &'a [Native],
     summaries: &'a [Summary],
-    plans: &'a [Plan],
-    effects: &'a [Option<Effects>],
+    plans: &'a [InlinePlan],
+    effects: &'a [Option<ModRef>],
     pointers: &'a [InstancePointer],
-    versions: &'a mut Versions,
+    versions: &'a mut Specializations,
     index: usize,
     find: Find<'a>,
     layout: &'a Layout,
@@ -210,8 +210,8 @@ struct Translator<'a> {
     dirty: u32,
     temporaries: Vec<Option<Val>>,
     /// What is known of memory in the running piece of code.
-    bytes: Bytes,
-    words: Words,
+    bytes: AvailableBits,
+    words: LocalValues,
     /// Variables that hold numbers of local data where ways meet: offset and width.
     met: FxHashMap<(i32, Width), Variable>,
     /// Timers that are up to date in the running piece of code.
@@ -226,14 +226,14 @@ struct Translator<'a> {
     taken: i64,
     /// The look at the budget on which blocks that are entered now rely.
     look: Option<usize>,
-    looks: Vec<Look>,
+    looks: Vec<BudgetCheck>,
     /// Pieces around the running statement, and before it, that the interpreter does where it must.
-    interpreted: Vec<Interpreted>,
-    loops: Vec<Loop>,
+    interpreted: Vec<RegionExit>,
+    loops: Vec<NaturalLoop>,
     /// Memory for which registers stand, in the loops met so far.
     promoted: Vec<Promoted>,
     /// Lengths of texts that loops keep.
-    kept_lengths: Vec<KeptLength>,
+    kept_lengths: Vec<PromotedLength>,
     /// What is known of the values of the present block.
     ranges: Ranges,
     /// Ranges of values in the running statement.
@@ -250,15 +250,15 @@ struct Translator<'a> {
     divided: FxHashSet<Value>,
     /// Values in the running statement that the smallest loop around it does not change.
     fixed: FxHashSet<Value>,
-    /// Whether turns of a loop are being written that are done at once, one after the other.
-    in_turns: bool,
+    /// Whether iterations of a loop are being written that are done at once, one after the other.
+    in_iterations: bool,
     /// What loops write, by their block and first statement.
     writes: FxHashMap<(usize, u32), BTreeSet<(Base, i32)>>,
-    /// Blocks in which memory is compared with what the code relies on, by the block in front of which they stand.
+    /// Blocks in which memory is compared with what the code relies on, by the block before which they stand.
     verifying: FxHashMap<clif::Block, clif::Block>,
     /// Those that are still to be written, and for which statement.
     verify_later: Vec<(clif::Block, u32, clif::Block, Option<usize>)>,
-    /// Loops of the present block in front of which turns are written that nobody looks at: first and last statement.
+    /// Loops of the present block before which iterations are written that nobody looks at: first and last statement.
     at_once: Vec<(u32, u32)>,
     /// How many there are in the function, with those of all blocks that became part of it.
     loops_at_once: usize,
@@ -281,28 +281,28 @@ struct Translator<'a> {
     /// How callers rely on the present block.
     reliance: Reliance,
     /// Addresses that were computed and are known to be there.
-    computed: FxHashMap<Value, Computed>,
-    elements: Elements,
-    arrivals: FxHashMap<u32, Arrival>,
+    computed: FxHashMap<Value, ComputedAddress>,
+    elements: AvailableAddresses,
+    arrivals: FxHashMap<u32, MergeState>,
     statement: u32,
     /// Parameters passed and not yet taken.
     passed: Vec<Val>,
     /// Parameters that the caller of an inlined block passed.
     given: Vec<Val>,
     /// Blocks in which the present one is inlined, outermost first; that one alone has a function, and the link and local data below.
-    outer: Vec<Outer>,
+    outer: Vec<InlineFrame>,
     /// Where the local data of the present block begin behind those of the outermost one, in bytes.
     local_offset: i32,
     /// Where the parameters of the present block end behind those of the outermost one, as their number.
     parameters_end: usize,
     /// IR instructions of inlined blocks so far.
-    grown: Grown,
+    grown: CodeGrowth,
     /// Safe points on ways back that are still to be written: the block, the statement, where it begins.
     ways: Vec<(clif::Block, u32, clif::Block)>,
     /// Calls that were written side by side, of which the rest is still to be written.
-    series: Option<Series>,
+    series: Option<SlpGroup>,
     /// The next value that is written stays away if this is not 0, or if it is.
-    choice: Option<Choice>,
+    choice: Option<Predicate>,
     /// Where in its piece the running statement writes a bit last, if that is known: a good place to work on bits.
     aim: Option<u8>,
     /// The running statement has not begun yet.
@@ -314,7 +314,7 @@ struct Translator<'a> {
     /// The arena as the running code has it, and as the function was given it.
     arena: Value,
     first_arena: Value,
-    /// Where it is taken from anew.
+    /// Where it is taken from again.
     arena_slot: Option<clif::StackSlot>,
     /// Where that was done last.
     arena_taken: Option<clif::Block>,
@@ -329,7 +329,13 @@ fn register_offset(register: Register) -> i32 {
 }
 
 impl<'a> Translator<'a> {
-    fn new(mut b: FunctionBuilder<'a>, module: &'a mut JITModule, versions: &'a mut Versions, program: Program<'a>, index: usize) -> Self {
+    fn new(
+        mut b: FunctionBuilder<'a>,
+        module: &'a mut JITModule,
+        versions: &'a mut Specializations,
+        program: Program<'a>,
+        index: usize,
+    ) -> Self {
         let Program { functions, blocks, summaries, plans, effects, pointers, find, layout, options } = program;
         let entry = b.create_block();
         b.append_block_params_for_function_params(entry);
@@ -364,8 +370,8 @@ impl<'a> Translator<'a> {
             changed: 0,
             dirty: 0,
             temporaries: Vec::new(),
-            bytes: Bytes::default(),
-            words: Words::default(),
+            bytes: AvailableBits::default(),
+            words: LocalValues::default(),
             met: FxHashMap::default(),
             fresh_timers: Vec::new(),
             counts: Vec::new(),
@@ -386,7 +392,7 @@ impl<'a> Translator<'a> {
             rests: FxHashMap::default(),
             divided: FxHashSet::default(),
             fixed: FxHashSet::default(),
-            in_turns: false,
+            in_iterations: false,
             writes: FxHashMap::default(),
             verifying: FxHashMap::default(),
             verify_later: Vec::new(),
@@ -402,7 +408,7 @@ impl<'a> Translator<'a> {
             in_range: None,
             reliance: Reliance::None,
             computed: FxHashMap::default(),
-            elements: Elements::default(),
+            elements: AvailableAddresses::default(),
             arrivals: FxHashMap::default(),
             statement: 0,
             passed: Vec::new(),
@@ -410,7 +416,7 @@ impl<'a> Translator<'a> {
             outer: Vec::new(),
             local_offset: 0,
             parameters_end: 0,
-            grown: Grown::default(),
+            grown: CodeGrowth::default(),
             ways: Vec::new(),
             series: None,
             choice: None,
@@ -438,7 +444,7 @@ impl<'a> Translator<'a> {
     }
 
     /// Writes the function.
-    fn run(mut self, known: Known, target: cranelift_codegen::isa::TargetFrontendConfig) -> Found {
+    fn run(mut self, known: Assumed, target: cranelift_codegen::isa::TargetFrontendConfig) -> Assumptions {
         self.find_registers_and_loops(known);
         if known.inside {
             self.know_instance_inside(self.versions.needs(self.index));
@@ -455,7 +461,7 @@ impl<'a> Translator<'a> {
         self.b.ins().return_(&[leave]);
         self.b.seal_all_blocks();
         self.b.finalize(target);
-        Found { pinned: self.pinned }
+        Assumptions { pinned: self.pinned }
     }
 
     /// Writes the statements of the present block.
@@ -468,10 +474,10 @@ impl<'a> Translator<'a> {
             }
             self.statement = statement as u32;
             self.arrive();
-            if self.ended || self.has_more_turns() {
+            if self.ended || self.has_more_iterations() {
                 continue;
             }
-            self.begin_turns();
+            self.begin_iterations();
             self.temporaries.clear();
             self.bounds.clear();
             self.fixed.clear();
@@ -503,22 +509,22 @@ impl<'a> Translator<'a> {
     }
 
     /// Which registers the block mentions, and where it jumps back to.
-    fn find_registers_and_loops(&mut self, known: Known) {
+    fn find_registers_and_loops(&mut self, known: Assumed) {
         let code = &self.native().code;
         let mut mentioned = 0;
         let mut back = Vec::new();
         for statement in 0..code.statement_count() {
             for inst in code.statement(statement) {
-                back.extend(loops::targets(code, inst).filter(|&to| to as usize <= statement));
+                back.extend(natural_loops::targets(code, inst).filter(|&to| to as usize <= statement));
                 if let Inst::Load { place, .. } | Inst::Store { place, .. } = *inst
                     && may_be_in_data_block(place)
                 {
                     mentioned |= open_blocks();
                 }
-                let written = loops::written(inst);
-                let written = if matches!(inst, Inst::Call { .. }) { analysis::ALL } else { written };
+                let written = natural_loops::written(inst);
+                let written = if matches!(inst, Inst::Call { .. }) { status_liveness::ALL } else { written };
                 self.written |= written;
-                mentioned |= written | analysis::effect(inst).reads;
+                mentioned |= written | status_liveness::effect(inst).reads;
             }
         }
         self.loops = self.find_loops(self.index);
@@ -709,16 +715,16 @@ impl<'a> Translator<'a> {
         *self.references.entry(function).or_insert_with(|| module.declare_func_in_func(function, b.func))
     }
 
-    fn ask(&mut self, question: Question, arguments: &[Value]) -> Value {
+    fn ask(&mut self, question: RuntimeCall, arguments: &[Value]) -> Value {
         match self.cold {
             Some(_) => debug_assert!(!self.anything_waits(), "nothing waits in cold code"),
             None => self.forget_what_was_asked(),
         }
-        if matches!(question, Question::TryLoad | Question::TryStore | Question::CallOther) {
+        if matches!(question, RuntimeCall::TryLoad | RuntimeCall::TryStore | RuntimeCall::CallOther) {
             self.look = None;
         }
         // Nobody looks at memory where a data block is looked for.
-        let looks = !matches!(question, Question::TryOpen);
+        let looks = !matches!(question, RuntimeCall::TryOpen);
         if looks {
             self.store_promoted();
         }
@@ -730,7 +736,7 @@ impl<'a> Translator<'a> {
         let answer = match self.cold {
             Some(_) => self.ask_at_gate(question, &arguments),
             None => {
-                let function = self.functions.get(self.module, Outside::Question(question));
+                let function = self.functions.get(self.module, Symbol::Question(question));
                 self.call(function, &arguments)
             }
         };
@@ -754,19 +760,19 @@ impl<'a> Translator<'a> {
     }
 
     /// Goes on in cold code if the answer is not 0: asks the Host, who decides how the run goes on.
-    fn unless_failed(&mut self, failed: Value, question: Question, arguments: &[Value], after: After) {
+    fn unless_failed(&mut self, failed: Value, question: RuntimeCall, arguments: &[Value], after: Continuation) {
         let cold = self.cold_block();
         let go_on = self.b.create_block();
         self.b.ins().brif(failed, cold, &[], go_on, &[]);
         self.cold_path(cold, question, arguments, after);
         self.b.switch_to_block(go_on);
         self.b.seal_block(go_on);
-        if matches!(after, After::At(_)) {
+        if matches!(after, Continuation::At(_)) {
             self.forget_what_was_asked();
         }
     }
 
-    /// A constant that only cold code uses costs the hot code in front of it nothing.
+    /// A constant that only cold code uses costs the hot code before it nothing.
     fn named_here(&mut self, value: Value) -> Value {
         let dfg = &self.b.func.dfg;
         let ValueDef::Result(inst, 0) = dfg.value_def(value) else { return value };
@@ -780,31 +786,31 @@ impl<'a> Translator<'a> {
     }
 
     /// Fills a cold block: registers stored, the Host asked.
-    fn cold_path(&mut self, cold: clif::Block, question: Question, arguments: &[Value], after: After) {
+    fn cold_path(&mut self, cold: clif::Block, question: RuntimeCall, arguments: &[Value], after: Continuation) {
         self.b.switch_to_block(cold);
         self.b.seal_block(cold);
         let before = self.cold.replace(cold);
         self.spill(self.dirty);
         let arguments: Vec<_> = arguments.iter().map(|&argument| self.named_here(argument)).collect();
         let answer = self.ask(question, &arguments);
-        if matches!(after, After::At(_) | After::Deliver(_)) {
+        if matches!(after, Continuation::At(_) | Continuation::Deliver(_)) {
             self.look = None;
         }
         match after {
-            After::NextStatement if self.rest_is_interpreted(answer) => {}
-            After::At(block) => {
+            Continuation::NextStatement if self.rest_is_interpreted(answer) => {}
+            Continuation::At(block) => {
                 self.b.ins().brif(answer, self.leave, &[], block, &[]);
             }
-            After::Never => {
+            Continuation::Never => {
                 self.b.ins().jump(self.leave, &[]);
             }
-            After::Deliver(block) => {
+            Continuation::Deliver(block) => {
                 let value = self.result();
                 let param = self.b.block_params(block)[0];
                 let value = if self.b.func.dfg.value_type(param) == I32 { self.b.ins().ireduce(I32, value) } else { value };
                 self.b.ins().brif(answer, self.leave, &[], block, &[BlockArg::Value(value)]);
             }
-            After::NextStatement => {
+            Continuation::NextStatement => {
                 let (changed, taken) = (self.changed, self.taken);
                 self.leave_loops(self.statement + 1);
                 let next = self.edge(self.statement + 1);
@@ -871,8 +877,8 @@ impl<'a> Translator<'a> {
                 let pointers = [self.pointer(from), self.pointer(to)];
                 self.store_open_blocks();
                 let site = self.site(index);
-                let failed = self.ask(Question::TryMove, &[self.link, site, pointers[0], pointers[1]]);
-                self.unless_failed(failed, Question::Failed, &[self.link, site], After::NextStatement);
+                let failed = self.ask(RuntimeCall::TryMove, &[self.link, site, pointers[0], pointers[1]]);
+                self.unless_failed(failed, RuntimeCall::Failed, &[self.link, site], Continuation::NextStatement);
             }
             Inst::Text { .. } => self.text(index, inst),
             Inst::Parameter { dst, index } => self.parameter(dst, index),
@@ -886,13 +892,13 @@ impl<'a> Translator<'a> {
             Inst::Require { condition, .. } if self.ranges.is_interpreted(index) => self.require_or_interpret(condition),
             Inst::Require { condition, code, register } if code & NOTED != 0 => {
                 let go_on = self.b.create_block();
-                self.require(index, condition, Some(register), After::At(go_on));
+                self.require(index, condition, Some(register), Continuation::At(go_on));
                 self.b.ins().jump(go_on, &[]);
                 self.b.switch_to_block(go_on);
                 self.b.seal_block(go_on);
             }
-            Inst::Require { condition, register, .. } => self.require(index, condition, Some(register), After::NextStatement),
-            Inst::RequireStack { condition, .. } => self.require(index, condition, None, After::Never),
+            Inst::Require { condition, register, .. } => self.require(index, condition, Some(register), Continuation::NextStatement),
+            Inst::RequireStack { condition, .. } => self.require(index, condition, None, Continuation::Never),
             Inst::Open { register, number } => self.open(index, register, number),
             // Between two statements one of which is chosen.
             Inst::Jump { .. } if self.choice.is_some() => {}
@@ -1000,7 +1006,7 @@ impl<'a> Translator<'a> {
             return value;
         }
         let args: Vec<Value> = args.iter().map(|&arg| self.word(arg)).collect();
-        let function = self.functions.get(self.module, Outside::Op(op));
+        let function = self.functions.get(self.module, Symbol::Op(op));
         Val::Word(self.call(function, &args))
     }
 
@@ -1022,7 +1028,7 @@ impl<'a> Translator<'a> {
         }
     }
 
-    fn require(&mut self, index: u32, condition: Var, register: Option<Var>, after: After) {
+    fn require(&mut self, index: u32, condition: Var, register: Option<Var>, after: Continuation) {
         let condition = self.get(condition);
         if condition.constant().is_some_and(|value| value & 1 != 0) {
             return;
@@ -1034,10 +1040,10 @@ impl<'a> Translator<'a> {
         let cold = self.cold_block();
         let go_on = self.b.create_block();
         self.b.ins().brif(condition, go_on, &[], cold, &[]);
-        self.cold_path(cold, Question::Unmet, &[self.link, site, register], after);
+        self.cold_path(cold, RuntimeCall::Unmet, &[self.link, site, register], after);
         self.b.switch_to_block(go_on);
         self.b.seal_block(go_on);
-        if matches!(after, After::At(_)) {
+        if matches!(after, Continuation::At(_)) {
             self.forget_what_was_asked();
         }
     }

@@ -1,5 +1,5 @@
-//! Numbers of which a program writes bits, too, in local data, in bit memory and in elements of an array: `w := 0; w.%X3 := a; y := w;`. In straight
-//! code, in turns that are done at once and in others, and whoever changes memory, the code does what the interpreter does.
+//! Numbers of which a program writes bits, too, in local data, in bit memory and in elements of an array: `w := 0; w.%X3 := a; y := w;`. In
+//! straight code, in iterations that are done at once and in others, and whoever changes memory, the code does what the interpreter does.
 
 use std::sync::Arc;
 
@@ -10,11 +10,12 @@ use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
 use crate::dice::{Dice, seeds};
-use crate::noting::{all_engines_agree, all_engines_agree_beside, engines, fixed, get, layout_with, next_turn, program, run};
+use crate::noting::{all_engines_agree, all_engines_agree_beside, engines, fixed, get, layout_with, next_iteration, program, run};
 
 const PROGRAMS: u64 = 450;
 const QUESTIONS_MAX: usize = 30;
-/// Where the loop counts, and the bytes with numbers: of local data, of bit memory, and of elements in bit memory that the counter leads to.
+/// Where the loop counts, and the bytes with numbers: of local data, of bit memory, and of elements in bit memory that the counter leads
+/// to.
 const COUNTER: u32 = 100;
 const FIRST: u32 = 8;
 const ELEMENT: u64 = 8;
@@ -91,8 +92,8 @@ fn some_statement(b: &mut Builder, dice: &mut Dice, home: Home, (statement, behi
     }
 }
 
-/// A function that a loop calls in turns that are done at once: numbers and bits of them in its local data, some under a condition, and what
-/// becomes of a number goes to an array.
+/// A function that a loop calls in iterations that are done at once: numbers and bits of them in its local data, some under a condition,
+/// and what becomes of a number goes to an array.
 fn function(b: &mut Builder, dice: &mut Dice) {
     let statements = 4 + dice.roll(6) as u32;
     let numbers = [(0, Width::Word), (2, Width::DoubleWord), (6, Width::Byte)];
@@ -153,14 +154,14 @@ fn build(b: &mut Builder, dice: &mut Dice) {
     match dice.roll(3) {
         0 => b.push(Inst::Return),
         which => {
-            // With a jump table in it the turns are not done at once.
+            // With a jump table in it the iterations are not done at once.
             if which == 1 {
                 let behind = Target(2 + statements);
                 let (index, first) = (get(b, COUNTER, Width::Word), b.table(&[behind, behind]));
                 b.push(Inst::JumpTable { index, first, count: 2, otherwise: behind });
                 b.begin_statement();
             }
-            next_turn(b, fixed(COUNTER), (Op::LeI16, dice.of(&[3, 7])), Target(1));
+            next_iteration(b, fixed(COUNTER), (Op::LeI16, dice.of(&[3, 7])), Target(1));
             b.begin_statement();
             b.push(Inst::Return);
         }
@@ -180,7 +181,7 @@ fn meddle(machine: &mut Machine, dice: &mut Dice, asked: usize) -> Reaction {
 }
 
 #[test]
-fn numbers_and_their_bits_in_turns_are_what_the_interpreter_makes_of_them() {
+fn numbers_and_their_bits_in_iterations_are_what_the_interpreter_makes_of_them() {
     for seed in seeds(PROGRAMS) {
         let mut dice = Dice(seed);
         let last = dice.of(&[7, 30]);
@@ -193,7 +194,7 @@ fn numbers_and_their_bits_in_turns_are_what_the_interpreter_makes_of_them() {
             b.begin_statement();
             b.push(Inst::Call { callee: Callee::Block(BlockId::fc(1)), parameters: 0 });
             b.begin_statement();
-            next_turn(b, fixed(COUNTER), (Op::LeI16, last), Target(1));
+            next_iteration(b, fixed(COUNTER), (Op::LeI16, last), Target(1));
             b.begin_statement();
             b.push(Inst::Return);
         };

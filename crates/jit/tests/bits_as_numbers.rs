@@ -1,4 +1,4 @@
-//! Choices between a bit and another number, in turns that are done side by side: the other number keeps all of its bits.
+//! Choices between a bit and another number, in iterations that are done side by side: the other number keeps all of its bits.
 
 use sieben_engine::Machine;
 use sieben_engine::ir::{Builder, Op, Place, Var};
@@ -7,7 +7,7 @@ use sieben_model::block::BlockId;
 
 use crate::noting::{self, all_engines_agree_from, counted, element_at, get, program};
 
-/// Elements of the array at the beginning of bit memory that turns look at, and behind it of the one that they write.
+/// Elements of the array at the beginning of bit memory that iterations look at, and behind it of the one that they write.
 const ELEMENTS: u64 = 40;
 const WRITTEN: u32 = 8 * 4 * ELEMENTS as u32;
 const COUNTER: u32 = 1_000;
@@ -27,7 +27,7 @@ struct Case {
     op: Op,
 }
 
-fn turns(b: &mut Builder, case: Case) {
+fn iterations(b: &mut Builder, case: Case) {
     counted(b, COUNTER, ELEMENTS - 1, |b| {
         b.begin_statement();
         let (number, twenty, ten) = (element_at(b, COUNTER, Width::DoubleWord), b.constant(20), b.constant(10));
@@ -50,7 +50,7 @@ fn what_is_chosen_instead_of_a_bit_keeps_its_bits() {
         .flat_map(|(bit_first, other)| [Op::OrU32, Op::AndU32, Op::Shl32, Op::AddU32, Op::XorU32].map(|op| (bit_first, other, op)))
     {
         let case = Case { bit_first, other, op };
-        let build = |b: &mut Builder| turns(b, case);
+        let build = |b: &mut Builder| iterations(b, case);
         let program = program(&[(BlockId::ob(1), 16, &build)]);
         let prepare = |machine: &mut Machine, memory: u64| {
             machine.budget = 10_000;

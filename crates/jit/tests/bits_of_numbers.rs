@@ -1,5 +1,5 @@
-//! Bits of numbers that a loop keeps in registers, read and written beside the numbers themselves: whatever else lies in their bytes and whoever
-//! changes memory, the code does what the interpreter does.
+//! Bits of numbers that a loop keeps in registers, read and written beside the numbers themselves: whatever else lies in their bytes and
+//! whoever changes memory, the code does what the interpreter does.
 
 use sieben_engine::ir::{Builder, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::{Exit, Machine, Reaction, StopReason};
@@ -20,7 +20,7 @@ const BYTES: u32 = 16;
 /// Numbers that some programs read there, too, in part or across two of them.
 const STRANGE: [(u32, Width); 4] = [(9, Width::Word), (11, Width::DoubleWord), (14, Width::Word), (20, Width::Word)];
 
-/// `REPEAT … UNTIL counter > last`, with a jump table in it, so that the turns are not done at once.
+/// `REPEAT … UNTIL counter > last`, with a jump table in it, so that the iterations are not done at once.
 fn looping(b: &mut Builder, last: u64, statements: u32, write: &mut dyn FnMut(&mut Builder, u32)) {
     b.begin_statement();
     let zero = b.constant(0);
@@ -151,6 +151,6 @@ fn a_loop_that_reads_bits_of_a_number_touches_no_memory() {
     };
     let program = program(&[(BlockId::ob(1), 16, &build)]);
     let listing = Jit::listing(&program, &layout_with(&program, 16)).expect("machine code");
-    let turn = listing.split("\nblock").find(|block| block.contains("br_table")).expect("a turn");
-    assert!(!turn.contains("load") && !turn.contains("store"), "{turn}");
+    let iteration = listing.split("\nblock").find(|block| block.contains("br_table")).expect("an iteration");
+    assert!(!iteration.contains("load") && !iteration.contains("store"), "{iteration}");
 }

@@ -1,5 +1,6 @@
-//! Functions that reach elements of arrays in the local data of their callers through a pointer that they get: machine code that knows how far
-//! the index goes does what the interpreter does, also where the index goes too far, or into the variables of the caller beside the array.
+//! Functions that reach elements of arrays in the local data of their callers through a pointer that they get: machine code that knows how
+//! far the index goes does what the interpreter does, also where the index goes too far, or into the variables of the caller beside the
+//! array.
 
 use std::cell::RefCell;
 use std::sync::Arc;

@@ -14,7 +14,7 @@ use crate::dice::{Dice, seeds};
 use crate::noting::{all_engines_agree, engines, layout, program, run};
 
 const PROGRAMS: u64 = 120;
-/// Local data of the caller, in front of which its texts lie, and of the function.
+/// Local data of the caller, before which its texts lie, and of the function.
 const CALLER_LOCAL: u32 = 120;
 const OWN_LOCAL: u32 = 60;
 /// Where the pointers to texts lie in the local data of the caller: some texts reach that far.
@@ -32,8 +32,8 @@ fn memory(byte: u32) -> Place {
     Place::Fixed { area: Area::BitMemory, position: 8 * byte }
 }
 
-/// Calls a function some times, with pointers to texts of its own, or anywhere. Some calls are given the pointers of the one before, which a
-/// text may have become, and some are in a loop.
+/// Calls a function some times, with pointers to texts of its own, or anywhere. Some calls are given the pointers of the one before, which
+/// a text may have become, and some are in a loop.
 fn caller(b: &mut Builder, dice: &mut Dice) {
     let loops = dice.roll(2) == 0;
     let begin = b.next();

@@ -40,7 +40,7 @@ impl Maker<'_> {
         self.statements += 1;
     }
 
-    /// Some bytes of the record of a turn, or of one beside it.
+    /// Some bytes of the record of an iteration, or of one beside it.
     fn part(&mut self, bytes: u32, neighbours: &[i32]) -> Place {
         let (start, record) = self.dice.of(&ARRAYS);
         let at = self.dice.roll(u64::from(record - bytes) / 2 + 1) as u32 * 2;

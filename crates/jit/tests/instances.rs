@@ -250,7 +250,7 @@ fn hand_on(b: &mut Builder, dice: &mut Dice, index: (Place, Width), instance: Va
     b.store(place(POINTER), Width::DoubleWord, pointer);
 }
 
-/// A loop over three instances that are handed pointers, and whose index is used in front of the call and behind it.
+/// A loop over three instances that are handed pointers, and whose index is used before the call and behind it.
 fn hands_on(b: &mut Builder, dice: &mut Dice) {
     let counter = dice.of(&[
         Place::Indirect { area: Area::InstanceData, pointer: Register::Ar2.into(), offset: 8 * COUNTERS[0] },
@@ -562,7 +562,7 @@ fn an_index_that_is_changed_while_an_instance_runs_is_looked_at_again() {
     let mut layout = layout(&program);
     layout.data_blocks.insert(1, layout.size - 64..layout.size - 64 + DATA_BYTES as usize);
     let entry = Entry { block: BlockId::ob(1), start_information: [7; 20], registers: None };
-    // Each question in turn changes the index to one that is outside, and all others leave it.
+    // Each question in iteration changes the index to one that is outside, and all others leave it.
     let engines = engines(&program, &layout);
     for which in 0..12 {
         let outcome = |engine: Arc<dyn Engine>| {
@@ -695,8 +695,8 @@ fn a_block_that_changes_a_pointer_in_its_instance_writes_where_that_goes_now() {
     all_engines_agree(&engines(&program, &layout), false, &outcome, &|| String::new());
 }
 
-/// A loop over three instances that write an element of their own, of so many, by an index that is noted where it is outside; the counter of
-/// the loop lies behind the instances.
+/// A loop over three instances that write an element of their own, of so many, by an index that is noted where it is outside; the counter
+/// of the loop lies behind the instances.
 fn writes_elements(count: u64, noted: bool) -> sieben_engine::Program {
     let own = |byte: u32| Place::Indirect { area: Area::InstanceData, pointer: Register::Ar2.into(), offset: 8 * byte };
     let index = own(COUNTERS[0]);
@@ -746,7 +746,7 @@ fn layout_of_instances(program: &sieben_engine::Program) -> sieben_engine::Layou
 
 #[test]
 fn an_element_that_a_block_writes_by_an_index_that_is_noted_may_be_the_counter_of_its_caller() {
-    // With 8 elements the last one of the last instance ends in front of the counter, with more it is the counter, or lies behind it.
+    // With 8 elements the last one of the last instance ends before the counter, with more it is the counter, or lies behind it.
     for (count, noted) in [(1, true), (8, true), (9, true), (10, true), (28, true), (9, false)] {
         let program = writes_elements(count, noted);
         let layout = layout_of_instances(&program);

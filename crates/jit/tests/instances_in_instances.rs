@@ -1,5 +1,6 @@
-//! Loops over arrays of function blocks with other function blocks in them, whose inputs are written and whose outputs are read by the same index:
-//! what machine code counts from one element is what the interpreter finds, wherever instances and copies lie and whatever a Host does.
+//! Loops over arrays of function blocks with other function blocks in them, whose inputs are written and whose outputs are read by the same
+//! index: what machine code counts from one element is what the interpreter finds, wherever instances and copies lie and whatever a Host
+//! does.
 
 use std::sync::Arc;
 
@@ -11,7 +12,7 @@ use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
 use crate::dice::{Dice, seeds};
-use crate::noting::{self, all_engines_agree, begin_with_instance, engines, layout_with, next_turn, program, run, run_beside};
+use crate::noting::{self, all_engines_agree, begin_with_instance, engines, layout_with, next_iteration, program, run, run_beside};
 
 /// Programs that are compared.
 const PROGRAMS: u64 = 200;
@@ -70,7 +71,7 @@ fn field(b: &mut Builder, dice: &mut Dice, index: (Place, Width), (bytes, bit): 
     let mut pointer = b.compute(Op::AddU32, &[Register::Ar2.into(), by]);
     let mut offset = offset;
     if dice.roll(4) == 0 {
-        // Counted from the element in front of it.
+        // Counted from the element before it.
         let back = b.constant(0x1_0000_0000 - 8 * STEP);
         pointer = b.compute(Op::AddU32, &[pointer, back]);
         offset += 8 * STEP as u32;
@@ -107,7 +108,7 @@ fn copies(b: &mut Builder, dice: &mut Dice, index: (Place, Width)) {
         _ => field(b, dice, index, (bytes, 0)),
     };
     let (from, to) = (end(dice), end(dice));
-    // What was read or written in front of it is read again behind it.
+    // What was read or written before it is read again behind it.
     let local = Place::Fixed { area: Area::Local, position: 8 * dice.roll(4) as u32 };
     let looks = dice.roll(2) == 0;
     if looks {
@@ -191,7 +192,7 @@ fn caller(b: &mut Builder, dice: &mut Dice) {
         statements += 1;
     }
     b.begin_statement();
-    next_turn(b, counter, (Op::LeI16, ELEMENTS - 1), Target(1));
+    next_iteration(b, counter, (Op::LeI16, ELEMENTS - 1), Target(1));
 }
 
 /// A number in the instance times a step: mostly it is known to be small, and it may be counted from the element in front.
@@ -360,7 +361,8 @@ fn instances_in_elements_are_the_same_on_all_engines() {
     assert!(asked > 250 && silent > 25, "{asked} questions, {silent} programs without any");
 }
 
-/// Three instances from a bit on. Each calls one that lies so many bits behind it, and as many bytes more as byte 1 says if that is below 3.
+/// Three instances from a bit on. Each calls one that lies so many bits behind it, and as many bytes more as byte 1 says if that is below
+/// 3.
 fn indexed(first: u64, behind: u64) -> Program {
     let inside = |b: &mut Builder, index: Place, width: Width| {
         let number = b.load(index, width, OnFault::SkipStatement);
@@ -388,7 +390,7 @@ fn indexed(first: u64, behind: u64) -> Program {
         let by = b.compute(Op::MulU32, &[number, step]);
         calls(b, by, first, 1);
         b.begin_statement();
-        next_turn(b, counter, (Op::LeI16, ELEMENTS - 1), Target(1));
+        next_iteration(b, counter, (Op::LeI16, ELEMENTS - 1), Target(1));
     };
     let outer = |b: &mut Builder| {
         b.begin_statement();
@@ -482,7 +484,7 @@ fn reaches_absolutely(does: Does, indexed: bool) -> Program {
         let value = b.load(counter, Width::Byte, OnFault::SkipStatement);
         b.store(Place::Indirect { area: Area::InstanceData, pointer, offset: INSTANCES }, Width::Byte, value);
         b.begin_statement();
-        next_turn(b, counter, (Op::LeI16, ELEMENTS - 1), Target(1));
+        next_iteration(b, counter, (Op::LeI16, ELEMENTS - 1), Target(1));
     };
     let writes = |b: &mut Builder| {
         b.begin_statement();
@@ -495,7 +497,7 @@ fn reaches_absolutely(does: Does, indexed: bool) -> Program {
         }
         let there = |offset: u32| Place::Indirect { area: Area::InstanceData, pointer, offset };
         let bytes = 2;
-        // Known in front of what follows, and a bit of the first instance that waits for others.
+        // Known before what follows, and a bit of the first instance that waits for others.
         let value = b.load(own(8 * 6), Width::Word, OnFault::SkipStatement);
         b.store(own(8 * 10), Width::Word, value);
         let bit = b.load(own(8 * 5 + 1), Width::Bit, OnFault::SkipStatement);

@@ -1,5 +1,5 @@
-//! Loops that call a function with a loop in it, which reaches elements behind pointers that it is given: turns of both together do on all
-//! engines what the interpreter does, wherever the pointers lead and whatever a Host does that is asked.
+//! Loops that call a function with a loop in it, which reaches elements behind pointers that it is given: iterations of both together do on
+//! all engines what the interpreter does, wherever the pointers lead and whatever a Host does that is asked.
 
 use std::sync::Arc;
 
@@ -157,7 +157,7 @@ fn statement(b: &mut Builder, dice: &mut Dice, shape: Shape) {
             let value = load(b, local(COUNTER), Width::Word);
             b.store(local(OWN + offset), width, value);
         }
-        // Pointers that it was given may be others in the next turn.
+        // Pointers that it was given may be others in the next iteration.
         4 if dice.roll(3) == 0 => {
             let given = parameter(b, dice.roll(2) as u16);
             let pointer = load(b, Place::Crossing { pointer: given, offset: 16 }, Width::DoubleWord);
@@ -218,25 +218,25 @@ fn random_body(b: &mut Builder, dice: &mut Dice, shape: Shape, mut statements: u
     statements
 }
 
-/// Where the arrays lie that the caller hands on, and in how many turns.
+/// Where the arrays lie that the caller hands on, and in how many iterations.
 #[derive(Clone, Copy, Debug)]
 struct Handed {
     pointers: [u64; 2],
     first: u64,
-    turns: u64,
-    /// How many turns call, of which the others jump over that.
+    iterations: u64,
+    /// How many iterations call, of which the others jump over that.
     calls_from: u64,
 }
 
 impl Handed {
-    const PLAIN: Self = Self { pointers: [0x8400_0000, 0x8400_0000 + 8 * 512], first: 0, turns: 8, calls_from: 0 };
+    const PLAIN: Self = Self { pointers: [0x8400_0000, 0x8400_0000 + 8 * 512], first: 0, iterations: 8, calls_from: 0 };
 
     fn random(dice: &mut Dice) -> Self {
         let near_counter = 0x8300_0000 | u64::from(TURN - 32);
         let pointers =
             [0x8400_0000, 0x8400_0000, 0x8400_0000 + 8 * 512, 0x8400_0000 + 8 * 40, 0x8400_0000 + 8 * 1_100, near_counter, TO_LOCAL];
         let pointers = [dice.of(&pointers), dice.of(&pointers)];
-        Self { pointers, first: dice.of(&[0, 0, 0, 2]), turns: dice.of(&[3, 8, 8, 8, 9, 12]), calls_from: dice.of(&[0, 0, 0, 3]) }
+        Self { pointers, first: dice.of(&[0, 0, 0, 2]), iterations: dice.of(&[3, 8, 8, 8, 9, 12]), calls_from: dice.of(&[0, 0, 0, 3]) }
     }
 }
 
@@ -249,8 +249,8 @@ fn caller(b: &mut Builder, handed: Handed) {
     let first = b.constant(handed.first);
     b.store(memory(TURN), Width::Word, first);
     b.begin_statement();
-    let (turn, least) = (load(b, memory(TURN), Width::Word), b.constant(handed.calls_from));
-    let early = b.compute(Op::LtI16, &[turn, least]);
+    let (iteration, least) = (load(b, memory(TURN), Width::Word), b.constant(handed.calls_from));
+    let early = b.compute(Op::LtI16, &[iteration, least]);
     if handed.calls_from > 0 {
         b.push(Inst::Branch { condition: early, to: Target(3) });
     }
@@ -260,24 +260,24 @@ fn caller(b: &mut Builder, handed: Handed) {
         b.store(local(array), Width::Word, number);
         b.store(local(array + 16), Width::DoubleWord, pointer);
     }
-    let turn = load(b, memory(TURN), Width::Word);
-    b.store(local(INDEX), Width::Word, turn);
+    let iteration = load(b, memory(TURN), Width::Word);
+    b.store(local(INDEX), Width::Word, iteration);
     for position in [ARRAYS[0], ARRAYS[1], INDEX, RESULT] {
         let pointer = b.constant(0x8700_0000 | u64::from(position));
         b.push(Inst::PassParameter { src: pointer });
     }
     b.push(Inst::Call { callee: Callee::Block(BlockId::fc(1)), parameters: 4 });
     let result = load(b, local(RESULT), Width::DoubleWord);
-    let turn = load(b, memory(TURN), Width::Word);
-    let turn = b.compute(Op::Extend16, &[turn]);
+    let iteration = load(b, memory(TURN), Width::Word);
+    let iteration = b.compute(Op::Extend16, &[iteration]);
     let bits = b.constant(8 * BYTES);
-    let pointer = b.compute(Op::MulU32, &[turn, bits]);
+    let pointer = b.compute(Op::MulU32, &[iteration, bits]);
     b.store(Place::Indirect { area: Area::SharedData, pointer, offset: RESULTS }, Width::DoubleWord, result);
     b.begin_statement();
-    let (turn, one) = (load(b, memory(TURN), Width::Word), b.constant(1));
-    let next = b.compute(Op::AddU16, &[turn, one]);
+    let (iteration, one) = (load(b, memory(TURN), Width::Word), b.constant(1));
+    let next = b.compute(Op::AddU16, &[iteration, one]);
     b.store(memory(TURN), Width::Word, next);
-    let last = b.constant(handed.turns - 1);
+    let last = b.constant(handed.iterations - 1);
     let again = b.compute(Op::LeI16, &[next, last]);
     b.push(Inst::Branch { condition: again, to: Target(1) });
     b.begin_statement();
@@ -334,7 +334,8 @@ fn agree(seed: u64, (program, layout): (&Program, &Layout), forgets: bool, what:
     all_engines_agree(&engines(program, layout), true, &outcome, &|| format!("{what}\n{}", listing())).asked.len()
 }
 
-/// Whether turns of the caller are done side by side, with the loop of the function in them: a sum of REALs follows its order otherwise.
+/// Whether iterations of the caller are done side by side, with the loop of the function in them: a sum of REALs follows its order
+/// otherwise.
 fn are_side_by_side(program: &Program, layout: &Layout) -> bool {
     Jit::listing(program, layout).expect("machine code").contains("f32x4")
 }
@@ -361,7 +362,7 @@ fn loops_in_called_blocks_do_what_the_interpreter_does() {
     assert!(asked > 250 && beside > 10, "{asked} questions, {beside} programs side by side");
 }
 
-/// Whether turns are side by side where the loop of the function does one thing; both engines agree whether or not.
+/// Whether iterations are side by side where the loop of the function does one thing; both engines agree whether or not.
 fn one(shape: Shape, handed: Handed, forgets: bool, statement: &dyn Fn(&mut Builder)) -> bool {
     let body = |b: &mut Builder| {
         function(b, shape, &mut |b, statements| {
@@ -378,14 +379,14 @@ fn one(shape: Shape, handed: Handed, forgets: bool, statement: &dyn Fn(&mut Buil
 }
 
 #[test]
-fn turns_with_a_loop_in_a_called_block_are_done_side_by_side() {
+fn iterations_with_a_loop_in_a_called_block_are_done_side_by_side() {
     for forgets in [false, true] {
         let is_beside = |shape: Shape, handed: Handed| one(shape, handed, forgets, &|b| adds_product(b, shape));
         assert!(is_beside(Shape::PLAIN, Handed::PLAIN), "{forgets}");
         let row = |row: Looks| Shape { row, ..Shape::PLAIN };
         let column = |first: u64, step: u64, last: u64, column: Looks| Shape { first, step, last, column, ..Shape::PLAIN };
         for looks in [Looks::Noted(8), Looks::Fails(8), Looks::Noted(6), Looks::Fails(6)] {
-            assert!(is_beside(row(looks), Handed::PLAIN), "{looks:?}: some turns are");
+            assert!(is_beside(row(looks), Handed::PLAIN), "{looks:?}: some iterations are");
             for (first, step, last) in [(0, 1, 7), (1, 2, 7), (0, 4, 7)] {
                 let (Looks::Noted(limit) | Looks::Fails(limit)) = looks else { continue };
                 let greatest = first + (last - first) / step * step;
@@ -393,7 +394,7 @@ fn turns_with_a_loop_in_a_called_block_are_done_side_by_side() {
             }
         }
         let over = Handed { pointers: [0x8400_0000, 0x8400_0000 + 8 * 1_100], ..Handed::PLAIN };
-        assert!(!is_beside(Shape::PLAIN, over), "turns read what others write");
+        assert!(!is_beside(Shape::PLAIN, over), "iterations read what others write");
     }
 }
 
@@ -428,7 +429,7 @@ fn what_a_block_writes_and_reads_with_another_width_is_no_other_variable() {
 }
 
 #[test]
-fn pointers_that_turns_of_the_loop_in_a_block_write_are_followed_as_they_are() {
+fn pointers_that_iterations_of_the_loop_in_a_block_write_are_followed_as_they_are() {
     for forgets in [false, true] {
         let moves = |b: &mut Builder| {
             adds_product(b, Shape::PLAIN);

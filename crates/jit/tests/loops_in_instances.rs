@@ -1,6 +1,6 @@
-//! Blocks that loop over function blocks in their own instance, and that are called for the elements of an array themselves: what is known of
-//! such a block, wherever its instance lies, is what the interpreter finds, whatever a Host does. Some blocks are too long to become part of
-//! their callers: those are functions that know that their instance is there.
+//! Blocks that loop over function blocks in their own instance, and that are called for the elements of an array themselves: what is known
+//! of such a block, wherever its instance lies, is what the interpreter finds, whatever a Host does. Some blocks are too long to become
+//! part of their callers: those are functions that know that their instance is there.
 
 use std::sync::Arc;
 
@@ -12,7 +12,7 @@ use sieben_model::address::{Area, Width};
 use sieben_model::block::BlockId;
 
 use crate::dice::{Dice, seeds};
-use crate::noting::{self, all_engines_agree, begin_with_instance, engines, layout_with, next_turn, program, run_beside};
+use crate::noting::{self, all_engines_agree, begin_with_instance, engines, layout_with, next_iteration, program, run_beside};
 
 /// Programs that are compared.
 const PROGRAMS: u64 = 250;
@@ -107,7 +107,7 @@ fn calls(b: &mut Builder, dice: &mut Dice, array: Array) {
         _ => distance(b, dice, array),
     };
     b.compute_into(Register::Ar2, Op::AddU32, &[Register::Ar2.into(), by]);
-    // Or where the own instance begins, or just in front of it.
+    // Or where the own instance begins, or just before it.
     let first = b.constant(if dice.roll(16) == 0 { dice.of(&[0, 0xFFFF_FFF0, 0xFFFF_FFE8]) } else { u64::from(array.first) });
     b.compute_into(Register::Ar2, Op::AddU32, &[Register::Ar2.into(), first]);
     b.push(Inst::Call { callee: Callee::Block(BlockId::fb(array.callee)), parameters: 0 });
@@ -158,7 +158,7 @@ fn loops(b: &mut Builder, dice: &mut Dice, array: Array, is_long: bool) {
         statements += 1;
     }
     b.begin_statement();
-    next_turn(b, counter, (Op::LeI16, ELEMENTS - 1), head);
+    next_iteration(b, counter, (Op::LeI16, ELEMENTS - 1), head);
     for _ in 0..dice.roll(3) {
         if dice.roll(2) == 0 {
             calls(b, dice, Array { counter: own(8 * 2), ..array });

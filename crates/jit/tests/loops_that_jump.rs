@@ -1,6 +1,6 @@
-//! Loops as people write them who sort and search: WHILE and REPEAT with flags, counters of 16 bits that stay inside their type or do not, ways
-//! out in the middle, records that are compared, copied and handed to a function, a place that is chosen by what lies there. Whatever the Host
-//! makes of memory and budget, they do on all engines what the interpreter does.
+//! Loops as people write them who sort and search: WHILE and REPEAT with flags, counters of 16 bits that stay inside their type or do not,
+//! ways out in the middle, records that are compared, copied and handed to a function, a place that is chosen by what lies there. Whatever
+//! the Host makes of memory and budget, they do on all engines what the interpreter does.
 
 use std::sync::Arc;
 
@@ -448,7 +448,7 @@ fn loops_that_jump_out_and_choose_do_what_the_interpreter_does() {
     assert!(asked > 3_000 && finished > 120, "{asked} questions, {finished} runs to the end");
 }
 
-/// A loop that writes a number to each record, in front of which something is added to that number, or it is made a number up to 10.
+/// A loop that writes a number to each record, before which something is added to that number, or it is made a number up to 10.
 fn adds_in_front(b: &mut Builder, adds: bool) {
     let fixed = |byte: u32| Place::Fixed { area: Area::BitMemory, position: 8 * byte };
     let add = |b: &mut Builder, byte: u32, width: Width, op: Op, number: u64| {

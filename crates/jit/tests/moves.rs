@@ -22,7 +22,7 @@ const POINTERS: u64 = 6;
 const DATA_BYTES: usize = 400;
 const OTHER_BYTES: usize = 60;
 const LOCAL_BYTES: u32 = 80;
-/// Where a block counts its turns.
+/// Where a block counts its iterations.
 const COUNTER: Place = Place::Fixed { area: Area::Local, position: 8 * 76 };
 
 /// Some pointer: mostly one that leads to bytes that are there.

@@ -1,6 +1,6 @@
-//! Loops in loops as they multiply matrices: how many turns the inner one has is a variable that is read in front of it, or it is jumped
-//! over, and turns of the outer one add to the same elements. Whatever the variables are and whoever writes them, memory, registers and
-//! questions are those of the interpreter.
+//! Loops in loops as they multiply matrices: how many iterations the inner one has is a variable that is read before it, or it is
+//! jumped over, and iterations of the outer one add to the same elements. Whatever the variables are and whoever writes them, memory,
+//! registers and questions are those of the interpreter.
 
 use std::sync::Arc;
 
@@ -78,7 +78,7 @@ struct Maker<'b> {
     looks: bool,
     /// The limits of the inner loop lie in the data block, where elements may be.
     in_data: bool,
-    /// Turns of the outer loop add to elements that the column chooses.
+    /// Iterations of the outer loop add to elements that the column chooses.
     adds: bool,
     /// No index rests on the column, which may count anywhere.
     anywhere: bool,
@@ -276,7 +276,7 @@ impl Maker<'_> {
             1 | 2 => self.dice.of(&[Op::Differ, Op::Differ, if self.short { Op::NeI16 } else { Op::NeI32 }]),
             _ => at_most,
         };
-        // What is compared is the counter of this turn now and then.
+        // What is compared is the counter of this iteration now and then.
         let compared = if self.dice.roll(16) == 0 { before } else { next };
         let mut condition = self.b.compute(op, &[compared, limit]);
         if self.dice.roll(2) == 0 {
@@ -315,7 +315,7 @@ impl Maker<'_> {
         self.b.push(Inst::Branch { condition, to: behind });
     }
 
-    /// Somebody writes what the inner loop is counted by, in a turn of the outer one.
+    /// Somebody writes what the inner loop is counted by, in an iteration of the outer one.
     fn meddle(&mut self) {
         self.b.begin_statement();
         match self.dice.roll(4) {

@@ -1,5 +1,5 @@
-//! Loops of word logic and shifts on bytes and words nobody wrote: what machine code knows of the bits of a value, from turn to turn and
-//! from one operation to the next, never leaves a bit that the interpreter cuts off.
+//! Loops of word logic and shifts on bytes and words nobody wrote: what machine code knows of the bits of a value, from iteration to
+//! iteration and from one operation to the next, never leaves a bit that the interpreter cuts off.
 
 use std::sync::Arc;
 

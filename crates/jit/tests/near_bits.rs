@@ -1,5 +1,5 @@
-//! Counted loops that read several bits a few positions apart from each other, and set several bits of a byte, which are put together step by
-//! step: the loops do what the interpreter does, wherever the bits lie and whoever writes there.
+//! Counted loops that read several bits a few positions apart from each other, and set several bits of a byte, which are put together step
+//! by step: the loops do what the interpreter does, wherever the bits lie and whoever writes there.
 
 use sieben_engine::ir::{Builder, DataRegister, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::{Exit, Machine, Reaction, StopReason};
@@ -21,9 +21,9 @@ const SUM: u32 = 104;
 const ARRAYS: [u32; 4] = [0, 515, 1024, 1536];
 /// How far the bits of one array are apart.
 const NEAR: [u32; 10] = [0, 1, 2, 3, 7, 8, 16, 24, 25, 31];
-/// How far a bit is from that of the turn before.
+/// How far a bit is from that of the iteration before.
 const STEPS: [u64; 4] = [1, 1, 3, 9];
-/// The last turn.
+/// The last iteration.
 const LAST: u64 = 49;
 
 fn fixed(byte: u32) -> Place {
@@ -34,7 +34,7 @@ fn get(b: &mut Builder, byte: u32) -> Var {
     b.load(fixed(byte), Width::DoubleWord, OnFault::SkipStatement)
 }
 
-/// A bit of a turn, so many bits behind the beginning of the data block.
+/// A bit of an iteration, so many bits behind the beginning of the data block.
 fn bit(b: &mut Builder, step: u64, offset: u32) -> Place {
     let (counter, step) = (get(b, COUNTER), b.constant(step));
     let pointer = b.compute(Op::MulU32, &[counter, step]);
@@ -46,7 +46,7 @@ fn read(b: &mut Builder, step: u64, offset: u32) -> Var {
     b.load(place, Width::Bit, OnFault::SkipStatement)
 }
 
-fn counted(b: &mut Builder, last: u64, turn: &dyn Fn(&mut Builder)) {
+fn counted(b: &mut Builder, last: u64, iteration: &dyn Fn(&mut Builder)) {
     b.begin_statement();
     let number = b.constant(1);
     b.push(Inst::Open { register: DataRegister::Shared, number });
@@ -54,7 +54,7 @@ fn counted(b: &mut Builder, last: u64, turn: &dyn Fn(&mut Builder)) {
     let first = b.constant(0);
     b.store(fixed(COUNTER), Width::DoubleWord, first);
     b.begin_statement();
-    turn(b);
+    iteration(b);
     b.begin_statement();
     let counter = get(b, COUNTER);
     let one = b.constant(1);
@@ -90,8 +90,8 @@ fn set_bits(b: &mut Builder, dice: &mut Dice, values: &[Var]) {
     b.store(place, Width::Byte, byte);
 }
 
-/// Some statements of a turn.
-fn some_turn(b: &mut Builder, seed: u64) {
+/// Some statements of an iteration.
+fn some_iteration(b: &mut Builder, seed: u64) {
     let mut dice = Dice(seed);
     let step = dice.of(&STEPS);
     let arrays: &[u32] = if dice.roll(2) == 0 { &ARRAYS[..1] } else { &ARRAYS[..3] };
@@ -115,7 +115,7 @@ fn some_turn(b: &mut Builder, seed: u64) {
                 let sum = b.compute(Op::AddU32, &[sum, last]);
                 b.store(fixed(SUM), Width::DoubleWord, sum);
             }
-            // Where it is read in some turns, or only beside it.
+            // Where it is read in some iterations, or only beside it.
             1 => {
                 let place = bit(b, step, dice.of(&[1024, 1100, 1536, 1537, 7]));
                 b.store(place, Width::Bit, last);
@@ -142,7 +142,7 @@ fn bits_near_each_other_are_those_of_the_interpreter() {
     let (mut asked, mut finished) = (0, 0);
     for seed in seeds(PROGRAMS) {
         let last = Dice(seed + 3_000_000).of(&[5, 30, LAST, LAST]);
-        let program = program(&[(BlockId::ob(1), 16, &|b| counted(b, last, &|b| some_turn(b, seed)))]);
+        let program = program(&[(BlockId::ob(1), 16, &|b| counted(b, last, &|b| some_iteration(b, seed)))]);
         let layout = layout_with(&program, DATA_BYTES);
         let prepare = |machine: &mut Machine| {
             let mut dice = Dice(seed + 1_000_000);

@@ -1,6 +1,6 @@
 //! Arrays of any length: functions that are handed bounds and a pointer, keep an index in 64 bits from one statement to another, and look
-//! whether it is inside. Whatever the bounds are, wherever the array lies and whoever changes memory, machine code does what the interpreter
-//! does.
+//! whether it is inside. Whatever the bounds are, wherever the array lies and whoever changes memory, machine code does what the
+//! interpreter does.
 
 use sieben_engine::ir::{Builder, Callee, DataRegister, Inst, OnFault, Op, Place, Target, Var};
 use sieben_engine::{FaultPlace, Machine, Reaction, StopReason};

@@ -169,8 +169,8 @@ impl Block<'_> {
         }
     }
 
-    /// Something that is done with texts, of which at least one is behind a pointer that a parameter points to. Some say themselves how long
-    /// they are.
+    /// Something that is done with texts, of which at least one is behind a pointer that a parameter points to. Some say themselves how
+    /// long they are.
     fn text(&mut self) {
         self.begin();
         let far = self.far();
@@ -227,7 +227,7 @@ impl Block<'_> {
         self.b.push(Inst::Call { callee: Callee::Block(BlockId::fc(number)), parameters: 2 });
     }
 
-    /// A loop of a few turns, with another one in it now and then.
+    /// A loop of a few iterations, with another one in it now and then.
     fn repeat(&mut self, level: usize) {
         let counter = local(COUNTERS[level]);
         self.begin();

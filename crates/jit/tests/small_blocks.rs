@@ -144,7 +144,7 @@ fn block(b: &mut Builder, dice: &mut Dice, first: u16, length: u64) {
                 b.push(Inst::Return);
                 statements += 2;
             }
-            // A jump by a table in front of a loop, into it, or over it.
+            // A jump by a table before a loop, into it, or over it.
             2 => {
                 b.begin_statement();
                 let index = read(b, dice, Width::Byte);
@@ -170,12 +170,12 @@ fn block(b: &mut Builder, dice: &mut Dice, first: u16, length: u64) {
     b.push(Inst::Return);
 }
 
-/// A loop of a few turns around a call, which begins at a statement; how many statements it has.
+/// A loop of a few iterations around a call, which begins at a statement; how many statements it has.
 fn repeat(b: &mut Builder, dice: &mut Dice, first: u16, statement: u32) -> u32 {
     let counter = Place::Fixed { area: Area::Local, position: 8 * 20 };
     b.begin_statement();
-    let turns = b.constant(1 + dice.roll(4));
-    b.store(counter, Width::Byte, turns);
+    let iterations = b.constant(1 + dice.roll(4));
+    b.store(counter, Width::Byte, iterations);
     inner(b, dice, first);
     b.begin_statement();
     let (left, one) = (b.load(counter, Width::Byte, OnFault::SkipStatement), b.constant(1));

@@ -1,5 +1,5 @@
-//! Loops over arrays that count in numbers without sign, up or down, from and to either end of their type, with limits that may be beyond it:
-//! whatever ends them, memory, registers and questions are those of the interpreter.
+//! Loops over arrays that count in numbers without sign, up or down, from and to either end of their type, with limits that may be beyond
+//! it: whatever ends them, memory, registers and questions are those of the interpreter.
 
 use std::sync::Arc;
 
@@ -24,7 +24,7 @@ const COUNTER: u32 = 0;
 const SUM: u32 = 8;
 const LIMIT: u32 = 16;
 const BEYOND: u32 = 24;
-/// A number that is counted beside the counter, and turns over.
+/// A number that is counted beside the counter, and overflows.
 const BESIDE: u32 = 32;
 
 struct Type {
@@ -127,7 +127,7 @@ impl Loop<'_> {
         b.store(place, width, value);
     }
 
-    /// Counts, and decides about another turn.
+    /// Counts, and decides about another iteration.
     fn again(&self, b: &mut Builder, dice: &mut Dice, head: Target, (up, limit): (bool, u64)) {
         b.begin_statement();
         let value = load(b, at(COUNTER), self.ty.width);
@@ -155,15 +155,15 @@ fn loops(b: &mut Builder, dice: &mut Dice) {
     for _ in 0..1 + dice.roll(2) {
         let ty = &TYPES[dice.roll(2) as usize];
         let up = dice.roll(3) != 0;
-        let turns = dice.of(&[0, 1, 7, 8, 33, 63, 90]);
+        let iterations = dice.of(&[0, 1, 7, 8, 33, 63, 90]);
         let from_end = dice.roll(4) == 0;
         let first = match (up, from_end) {
             (true, false) => dice.of(&[0, 0, 1, 5]),
-            (true, true) => ty.most - turns - dice.of(&[0, 1, 3]),
-            (false, false) => turns + dice.of(&[0, 1, 3]),
+            (true, true) => ty.most - iterations - dice.of(&[0, 1, 3]),
+            (false, false) => iterations + dice.of(&[0, 1, 3]),
             (false, true) => ty.most,
         };
-        let limit = if up { (first + turns).min(ty.most) } else { first.saturating_sub(turns) };
+        let limit = if up { (first + iterations).min(ty.most) } else { first.saturating_sub(iterations) };
         let (least, _) = if up { (first, limit) } else { (limit, first) };
         let it = Loop { ty, low: if least > 100 { least } else { 0 } };
         b.begin_statement();
@@ -237,7 +237,7 @@ fn open_data_block(b: &mut Builder) {
 }
 
 #[test]
-fn a_number_that_is_counted_beside_the_counter_turns_over() {
+fn a_number_that_is_counted_beside_the_counter_iterations_over() {
     let body = |b: &mut Builder| {
         b.begin_statement();
         open_data_block(b);
@@ -278,5 +278,5 @@ fn a_number_that_is_counted_beside_the_counter_turns_over() {
     };
     let outcome = |engine: Arc<dyn Engine>| run(engine.as_ref(), &layout, &entry, &prepare, &answer);
     let ended = all_engines_agree(&engines(&program, &layout), true, &outcome, &|| String::from("a number beside the counter"));
-    assert_eq!(ended.asked.len(), 24, "turns outside of the array");
+    assert_eq!(ended.asked.len(), 24, "iterations outside of the array");
 }

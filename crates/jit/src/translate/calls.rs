@@ -8,12 +8,12 @@ use cranelift_codegen::ir::{InstBuilder, Value};
 use sieben_engine::ir::{Callee, Var};
 use sieben_engine::machine::Register;
 
-use super::analysis::{ALL, SPARED, open_blocks, set_by_calls};
 use super::inlining::{KEPT_IN, RESTORED};
+use super::status_liveness::{ALL, SPARED, open_blocks, set_by_calls};
 use super::value::Val;
 use super::{AFTER_CALL, OPEN_BLOCKS, TRUSTED, Translator, bit_of};
-use crate::ask::{LEAVE, Question};
 use crate::run::Link;
+use crate::runtime_calls::{LEAVE, RuntimeCall};
 
 impl Translator<'_> {
     /// The pointer that the caller gave.
@@ -42,7 +42,7 @@ impl Translator<'_> {
         self.passed.push(pointer);
     }
 
-    /// Puts the pointers where a function that is called, or somebody who looks, finds them.
+    /// Puts the pointers where a function that is called, or an observer, finds them.
     pub(super) fn store_passed(&mut self) {
         if self.passed.is_empty() {
             return;
@@ -82,7 +82,7 @@ impl Translator<'_> {
         let site = self.site(index);
         let number = number.unwrap_or_else(|| self.b.ins().iconst(I64, 0));
         let passed = self.b.ins().iconst(I64, self.passed.len() as i64);
-        let answer = self.ask(Question::CallOther, &[self.link, site, number, passed]);
+        let answer = self.ask(RuntimeCall::CallOther, &[self.link, site, number, passed]);
         let cold = self.cold_block();
         let go_on = self.b.create_block();
         self.b.ins().brif(answer, cold, &[], go_on, &[]);

@@ -1,4 +1,4 @@
-//! BCD numbers as machine code: a part of the list of `inline.rs`, under the same comparison.
+//! Instruction selection for BCD numbers: a part of the list of `instruction_selection.rs`, under the same comparison.
 
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::I32;

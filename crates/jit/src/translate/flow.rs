@@ -1,4 +1,4 @@
-//! Where control flow arrives at a statement, what is known there, and the safe points on the ways to it.
+//! Merges of the control-flow graph: what is available where paths arrive at a statement, and the safe points on them.
 
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::{I32, I64};
@@ -7,17 +7,17 @@ use rustc_hash::FxHashMap;
 use sieben_engine::ir::{Target, Var};
 use sieben_engine::machine::Register;
 
-use super::analysis::restored;
-use super::bytes::KnownMemory;
-use super::loops::Loop;
+use super::natural_loops::NaturalLoop;
+use super::status_liveness::restored;
+use super::store_merging::AvailableMemory;
 use super::value::Val;
 use super::{Translator, bit_of};
-use crate::ask::Question;
+use crate::runtime_calls::RuntimeCall;
 
 /// What is known where control flow arrives at a statement.
-pub(super) struct Arrival {
+pub(super) struct MergeState {
     pub(super) block: clif::Block,
-    /// Where the ways from behind it arrive, if it is the head of a loop: `block` is in front of the loop then.
+    /// Where the ways from behind it arrive, if it is the head of a loop: `block` is before the loop then.
     pub(super) again: Option<clif::Block>,
     /// Some way here comes from behind it.
     pub(super) backward: bool,
@@ -26,10 +26,10 @@ pub(super) struct Arrival {
     /// Registers that hold a constant on every way here; `None` until one is known.
     pub(super) known: Option<[Option<u64>; Register::COUNT]>,
     /// What is known of memory on every way here; `None` until one is known.
-    pub(super) memory: Option<KnownMemory>,
+    pub(super) memory: Option<AvailableMemory>,
     /// What the budget's variable lacks on every way here; `None` until one is known.
     pub(super) taken: Option<i64>,
-    /// The look at the budget that is in front of every way here; `None` until one is known.
+    /// The look at the budget that is before every way here; `None` until one is known.
     pub(super) look: Option<Option<usize>>,
 }
 
@@ -43,9 +43,9 @@ impl Translator<'_> {
         arrival.taken = Some(0);
     }
 
-    pub(super) fn arrival(&mut self, statement: u32) -> &mut Arrival {
+    pub(super) fn arrival(&mut self, statement: u32) -> &mut MergeState {
         let b = &mut self.b;
-        self.arrivals.entry(statement).or_insert_with(|| Arrival {
+        self.arrivals.entry(statement).or_insert_with(|| MergeState {
             block: b.create_block(),
             again: None,
             backward: false,
@@ -85,8 +85,8 @@ impl Translator<'_> {
         self.take_from_budget(self.taken);
         let variable = self.budget();
         let left = self.b.use_var(variable);
-        if let Some(turn) = self.turn_of(statement) {
-            return self.look_at_next_turn(turn, left, go_on);
+        if let Some(iteration) = self.iteration_of(statement) {
+            return self.look_at_next_iteration(iteration, left, go_on);
         }
         let used_up = self.b.ins().icmp_imm_s(IntCC::SignedLessThan, left, 0);
         self.ask_if_used_up(used_up, statement, go_on, asked);
@@ -110,14 +110,14 @@ impl Translator<'_> {
         // The interpreter names the first statement that does something.
         let statement = self.first_named(statement);
         let statement = self.b.ins().iconst(I64, i64::from(statement));
-        let answer = self.ask(Question::SafePoint, &[self.link, code, statement]);
+        let answer = self.ask(RuntimeCall::SafePoint, &[self.link, code, statement]);
         self.cold = before;
         let asked = self.verified(statement_of_head, asked);
         self.b.ins().brif(answer, self.leave, &[], asked, &[]);
         self.write_verifications();
     }
 
-    /// Where a loop goes on behind a safe point at which the Host was asked: with a new budget, turns can be done at once again.
+    /// Where a loop goes on behind a safe point at which the Host was asked: with a new budget, iterations can be done at once again.
     fn behind_question(&self, to: u32, arrival: clif::Block) -> clif::Block {
         let begins = self.at_once.iter().any(|&(first, _)| first == to);
         self.arrivals.get(&to).filter(|it| begins && it.again == Some(arrival)).map_or(arrival, |it| it.block)
@@ -188,8 +188,8 @@ impl Translator<'_> {
             return;
         }
         self.look = None;
-        // A register that nothing in the loop changes is what it was in front of it.
-        let inside = |it: &&Loop| it.contains(statement);
+        // A register that nothing in the loop changes is what it was before it.
+        let inside = |it: &&NaturalLoop| it.contains(statement);
         let smallest = self.loops.iter().filter(inside).min_by_key(|it| it.last - it.first).cloned();
         let (written, touched) = smallest.as_ref().map_or((self.written, self.written), |it| (it.written, it.touched));
         for &register in Register::ALL {
@@ -209,7 +209,7 @@ impl Translator<'_> {
         if let Some(head) = again {
             // A loop that keeps lengths has no other one inside: it has ended.
             self.kept_lengths.clear();
-            // Behind a safe point the loop may begin anew: see `behind_question`.
+            // Behind a safe point the loop may begin again: see `behind_question`.
             let mut idle = None;
             if let Some(it) = smallest {
                 self.promote(&it);
@@ -217,9 +217,9 @@ impl Translator<'_> {
                     self.know_in_loop(&it, known);
                 }
                 let words = self.words.clone();
-                idle = self.turns_at_once(&it);
+                idle = self.iterations_at_once(&it);
                 self.words = words;
-                self.look_at_turn(&it);
+                self.look_at_iteration(&it);
                 if idle.is_none() && !self.is_at_once(&it) {
                     self.keep_lengths_in(&it);
                 }
@@ -227,7 +227,7 @@ impl Translator<'_> {
             self.b.ins().jump(head, &[]);
             self.b.switch_to_block(head);
             if let Some(idle) = idle {
-                self.pass_idle_turns(&idle);
+                self.pass_idle_iterations(&idle);
             }
             self.know_kept_lengths(statement);
         }
@@ -276,7 +276,7 @@ impl Translator<'_> {
         arrival.block
     }
 
-    /// Where a jump goes: the statement itself, or the safe point in front of it if it lies behind.
+    /// Where a jump goes: the statement itself, or the safe point before it if it lies behind.
     pub(super) fn way_to(&mut self, Target(to): Target) -> clif::Block {
         let arrival = self.edge(to);
         if to > self.statement && !self.leaves_loop(to) {

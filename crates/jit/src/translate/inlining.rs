@@ -1,8 +1,8 @@
-//! Small blocks become part of the functions that call them.
+//! Inlining: small blocks become part of the functions that call them.
 //!
-//! Inside, parameters are the pointers that the caller passed, mostly constants, and so are the data block registers and AR2 of a
-//! function block with its instance: access through them is access to a constant address. Whoever is asked sees the same activations
-//! as ever: their links are written where they are shown.
+//! Inside, parameters are the pointers that the caller passed, mostly constants, and so are the data block registers and AR2 of a function
+//! block with its instance: access through them is access to a constant address. An observer sees the same activations as without inlining:
+//! their links are written where they are shown.
 
 use std::mem::offset_of;
 
@@ -14,20 +14,20 @@ use sieben_engine::ir::{Callee, Code, Inst, Place};
 use sieben_engine::machine::{CALLS_MASK, CALLS_SHIFT, Register};
 use sieben_model::address::Width;
 
-use super::alone::{Alone, Reliance};
-use super::analysis::ALL;
-use super::budget::WEIGHT_MAX;
-use super::instance::Instance;
-use super::loops::{self, Loop};
-use super::promote::Promoted;
-use super::ranges::{Fact, Interval, Ranges};
+use super::instance_bounds::Instance;
+use super::natural_loops::{self, NaturalLoop};
+use super::range_analysis::{Fact, Interval, Ranges};
+use super::safepoint_coalescing::WEIGHT_MAX;
+use super::scalar_promotion::Promoted;
+use super::specialization::callees;
+use super::status_liveness::ALL;
+use super::symbolic_summaries::{Reliance, SymbolicSummary};
 use super::value::Val;
-use super::versions::callees;
-use super::{AFTER_CALL, AT_CALL, After, Arrival, Find, OPEN_BLOCKS, TRUSTED, Translator, bit_of};
-use crate::ask::Question;
+use super::{AFTER_CALL, AT_CALL, Continuation, Find, MergeState, OPEN_BLOCKS, TRUSTED, Translator, bit_of};
 use crate::jit::{Native, end, loop_heads};
 use crate::run::{Link, Room, Run};
-use crate::written_out::Turns;
+use crate::runtime_calls::RuntimeCall;
+use crate::unrolling::UnrolledLoop;
 
 /// Rounds in which blocks are chosen: an inlined block has others inlined in it, and so on, as deep as this.
 const DEPTH_MAX: usize = 16;
@@ -67,7 +67,7 @@ pub(super) const KEPT_IN: [usize; 8] = [
 
 /// How a block takes part.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Plan {
+pub(super) struct InlinePlan {
     /// IR instructions that it adds to its caller; `None` = it is always called.
     inlined: Option<usize>,
     /// Activations below it that its function may enter itself.
@@ -84,7 +84,7 @@ pub(super) struct Plan {
     weight: i64,
 }
 
-impl Plan {
+impl InlinePlan {
     /// IR instructions that the block adds to its caller, if it becomes part of that.
     pub(super) fn inlined(&self) -> Option<usize> {
         self.inlined
@@ -103,14 +103,14 @@ impl Plan {
 
 /// IR instructions of all blocks that became part of a function: of those that are handed pointers, and of others.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Grown {
+pub(super) struct CodeGrowth {
     with_pointers: usize,
     others: usize,
 }
 
-impl Grown {
+impl CodeGrowth {
     /// With another block, if that becomes part of the function.
-    fn with(self, plan: &Plan) -> Self {
+    fn with(self, plan: &InlinePlan) -> Self {
         let more = plan.inlined.unwrap_or(0);
         match plan.with_pointers {
             true => Self { with_pointers: self.with_pointers + more, ..self },
@@ -120,9 +120,9 @@ impl Grown {
 }
 
 /// Decides for all blocks. A block that calls itself, however far around, is never inlined.
-pub(super) fn plan(blocks: &[Native], find: Find<'_>) -> Vec<Plan> {
+pub(super) fn plan(blocks: &[Native], find: Find<'_>) -> Vec<InlinePlan> {
     let callees = callees(blocks, find);
-    let mut plans = vec![Plan::default(); blocks.len()];
+    let mut plans = vec![InlinePlan::default(); blocks.len()];
     let mut decided = vec![false; blocks.len()];
     for _ in 0..DEPTH_MAX {
         let before = decided.clone();
@@ -155,7 +155,7 @@ pub(super) fn plan(blocks: &[Native], find: Find<'_>) -> Vec<Plan> {
 }
 
 /// IR instructions of all blocks, with all that may become part of them.
-pub(super) fn instructions_max(blocks: &[Native], find: Find<'_>, plans: &[Plan]) -> usize {
+pub(super) fn instructions_max(blocks: &[Native], find: Find<'_>, plans: &[InlinePlan]) -> usize {
     let inlined = |&callee: &usize| plans[callee].inlined;
     let each = blocks.iter().zip(callees(blocks, find)).map(|(block, callees)| {
         let growth = callees.iter().filter_map(inlined).fold(0, usize::saturating_add);
@@ -176,18 +176,18 @@ fn takes_pointers(code: &Code) -> bool {
 }
 
 /// The plan of a block that is not inlined itself.
-fn reach(plans: &[Plan], blocks: &[Native], index: usize, callees: &[usize]) -> Plan {
+fn reach(plans: &[InlinePlan], blocks: &[Native], index: usize, callees: &[usize]) -> InlinePlan {
     let own = &blocks[index].code;
-    let own = Plan {
-        loops: !loop_heads(own).is_empty() || !blocks[index].turns().is_empty(),
-        is_long: loops::instructions_beside(own) > BESIDE_LOOPS_MAX,
+    let own = InlinePlan {
+        loops: !loop_heads(own).is_empty() || !blocks[index].iterations().is_empty(),
+        is_long: natural_loops::instructions_beside(own) > BESIDE_LOOPS_MAX,
         with_pointers: takes_pointers(own),
-        weight: i64::from(blocks[index].weight()) + blocks[index].turns().iter().map(Turns::weight_of_all).sum::<i64>(),
-        ..Plan::default()
+        weight: i64::from(blocks[index].weight()) + blocks[index].iterations().iter().map(UnrolledLoop::weight_of_all).sum::<i64>(),
+        ..InlinePlan::default()
     };
     callees.iter().fold(own, |all, &callee| {
-        let inner = if plans[callee].inlined.is_some() { plans[callee] } else { Plan::default() };
-        Plan {
+        let inner = if plans[callee].inlined.is_some() { plans[callee] } else { InlinePlan::default() };
+        InlinePlan {
             inlined: None,
             depth: all.depth.max(1 + inner.depth),
             local: all.local.max(blocks[callee].local_size as usize + inner.local),
@@ -200,14 +200,14 @@ fn reach(plans: &[Plan], blocks: &[Native], index: usize, callees: &[usize]) -> 
 }
 
 /// A block that waits for one that is inlined in it.
-pub(super) struct Outer {
+pub(super) struct InlineFrame {
     index: usize,
     statement: u32,
     /// The call.
     inst: u32,
-    arrivals: FxHashMap<u32, Arrival>,
+    arrivals: FxHashMap<u32, MergeState>,
     /// A loop that calls a block keeps nothing in registers for it but the budget.
-    loops: Vec<Loop>,
+    loops: Vec<NaturalLoop>,
     /// Those of the called block are others in each place where it is called.
     at_once: Vec<(u32, u32)>,
     promoted: Vec<Promoted>,
@@ -225,14 +225,14 @@ pub(super) struct Outer {
     parameters_end: usize,
 }
 
-impl Outer {
+impl InlineFrame {
     /// What the code behind the call relies on.
     pub(super) fn facts_over_call(&self) -> impl Iterator<Item = &Fact> {
         self.ranges.facts_over_call(self.inst).iter().chain(&self.elements)
     }
 
     /// How the block is relied on, and how the called one is, if that is looked at alone.
-    pub(super) fn reliance_on_called(&self, alone: Option<&Alone>) -> Reliance {
+    pub(super) fn reliance_on_called(&self, alone: Option<&SymbolicSummary>) -> Reliance {
         match self.reliance {
             _ if self.ranges.is_kept(self.inst) => Reliance::OnFacts,
             Reliance::None => Reliance::None,
@@ -247,7 +247,7 @@ impl Outer {
         self.reliance == Reliance::OnSilence
     }
 
-    /// What is known in front of the call.
+    /// What is known before the call.
     pub(super) fn facts_at_call(&self) -> impl Iterator<Item = &Fact> {
         self.ranges.facts_at_call(self.inst).iter().chain(&self.elements)
     }
@@ -278,11 +278,11 @@ impl Translator<'_> {
     pub(super) fn inlines(&self, code: usize) -> bool {
         let plan = &self.plans[code];
         // What becomes part of a block that became part of this function is counted with that.
-        self.inlines_at_all() && plan.inlined.is_some() && (!self.outer.is_empty() || self.has_room_for(Grown::default().with(plan)))
+        self.inlines_at_all() && plan.inlined.is_some() && (!self.outer.is_empty() || self.has_room_for(CodeGrowth::default().with(plan)))
     }
 
     /// Whether the function may grow by this, too.
-    fn has_room_for(&self, more: Grown) -> bool {
+    fn has_room_for(&self, more: CodeGrowth) -> bool {
         let own = self.outer.first().map_or(self.index, |outermost| outermost.index);
         let most = (self.blocks[own].code.insts.len() * GROWTH + GROWTH_MIN).min(GROWTH_MAX);
         self.grown.others + more.others <= most && self.grown.with_pointers + more.with_pointers <= GROWTH_MAX
@@ -300,14 +300,14 @@ impl Translator<'_> {
             Inst::Call { callee: Callee::Block(id), .. } => (self.find)(*id).map(|code| &self.plans[code as usize]),
             _ => None,
         };
-        let all = self.native().code.insts.iter().filter_map(called).fold(Grown::default(), Grown::with);
+        let all = self.native().code.insts.iter().filter_map(called).fold(CodeGrowth::default(), CodeGrowth::with);
         self.inlines_at_all() && (!self.outer.is_empty() || self.has_room_for(all))
     }
 
     /// Looks at the beginning of a function whether all that it calls itself has room. If not, the interpreter goes on, which looks at
     /// each call. Who enters an organization block has looked before.
     pub(super) fn look_for_room(&mut self) {
-        let Plan { depth, local, .. } = self.plans[self.index];
+        let InlinePlan { depth, local, .. } = self.plans[self.index];
         if depth == 0 || !self.called_only() {
             return;
         }
@@ -322,7 +322,7 @@ impl Translator<'_> {
         let code = self.b.ins().iconst(I64, self.index as i64);
         let statement = self.first_named(0);
         let statement = self.b.ins().iconst(I64, i64::from(statement));
-        self.unless_failed(no_room, Question::Interpret, &[self.link, code, statement], After::Never);
+        self.unless_failed(no_room, RuntimeCall::Interpret, &[self.link, code, statement], Continuation::Never);
     }
 
     /// Where the local data of a block that is called now begin, from those of the outermost block of this function, in bytes.
@@ -356,7 +356,7 @@ impl Translator<'_> {
         let at_call = self.ranges.instance(index);
         let inside = self.find_loops(code);
         let loops = std::mem::replace(&mut self.loops, inside);
-        self.outer.push(Outer {
+        self.outer.push(InlineFrame {
             index: self.index,
             statement: self.statement,
             inst: index,
@@ -416,13 +416,13 @@ impl Translator<'_> {
 
     /// Notes what is known of the instance of the block that begins now.
     fn know_elements(&mut self) {
-        let Some(Outer { ranges, inst, .. }) = self.outer.last() else { return };
+        let Some(InlineFrame { ranges, inst, .. }) = self.outer.last() else { return };
         let elements = ranges.elements(*inst).to_vec();
         if elements.is_empty() {
             return;
         }
         let (base, first) = self.instance_base();
-        let fact = |(offset, width, range)| Fact { cell: (base, first + (offset / 8) as i32, width), range };
+        let fact = |(offset, width, range)| Fact { variable: (base, first + (offset / 8) as i32, width), range };
         let facts = elements.into_iter().map(fact).collect();
         if let Some(outer) = self.outer.last_mut() {
             outer.elements = facts;
@@ -431,11 +431,11 @@ impl Translator<'_> {
 
     /// All registers that the present block may change.
     fn written_in_block(&self) -> u32 {
-        let written = |inst: &Inst| if matches!(inst, Inst::Call { .. }) { ALL } else { loops::written(inst) };
+        let written = |inst: &Inst| if matches!(inst, Inst::Call { .. }) { ALL } else { natural_loops::written(inst) };
         self.native().code.insts.iter().fold(0, |all, inst| all | written(inst))
     }
 
-    /// The link of the block that is written now, for somebody who looks: those of inlined blocks are written first.
+    /// The link of the block that is written now, for an observer: those of inlined blocks are written first.
     pub(super) fn shown_link(&mut self) -> Value {
         if self.outer.is_empty() {
             return self.link;
@@ -446,7 +446,7 @@ impl Translator<'_> {
                 Some(outer) => (outer.index, outer.given.clone(), outer.local_offset, outer.parameters_end),
                 None => (self.index, self.given.clone(), self.local_offset, self.parameters_end),
             };
-            let Outer { index: caller, inst, restored, .. } = self.outer[level - 1];
+            let InlineFrame { index: caller, inst, restored, .. } = self.outer[level - 1];
             let site = self.blocks[caller].named_inst(inst);
             let first_given = parameters_end - given.len();
             let code = self.b.ins().iconst(I64, code as i64);

@@ -1,7 +1,7 @@
 //! Timers and counters as machine code.
 //!
-//! [`Intrinsic::run`] is the definition; what stands here is compared with it over a grid of states, and asks it where it is not
-//! worth writing out: BCD values, presets that are not known beforehand, numbers that the CPU does not have.
+//! [`Intrinsic::run`] is the definition; what stands here is compared with it over a grid of states, and calls it where machine code is not
+//! worth its size: BCD values, presets that are not constants, numbers that the CPU does not have.
 
 use std::mem::offset_of;
 
@@ -16,9 +16,9 @@ use sieben_engine::machine::{Counter, Timer, TimerKind};
 use sieben_model::bcd;
 
 use super::value::Val;
-use super::{After, TRUSTED, Translator};
-use crate::ask::Question;
+use super::{Continuation, TRUSTED, Translator};
 use crate::run::Run;
+use crate::runtime_calls::RuntimeCall;
 
 /// For each time base its microseconds, and 2⁶⁴ divided by them, rounded up: for times below the longest that a timer runs, the upper
 /// half of a product with it is exactly the quotient.
@@ -39,7 +39,7 @@ struct Item {
 const FRESH_MAX: usize = 8;
 
 /// The block in which Rust code is asked, once something goes there.
-type Slow = Option<clif::Block>;
+type SlowPath = Option<clif::Block>;
 
 impl Translator<'_> {
     /// A function over the machine.
@@ -82,13 +82,13 @@ impl Translator<'_> {
     fn ask_intrinsic(&mut self, index: u32, args: [Val; 3]) -> Value {
         let [a, b, c] = args.map(|arg| self.word(arg));
         let site = self.site(index);
-        let failed = self.ask(Question::TryIntrinsic, &[site, a, b, c]);
-        self.unless_failed(failed, Question::Failed, &[self.link, site], After::NextStatement);
+        let failed = self.ask(RuntimeCall::TryIntrinsic, &[site, a, b, c]);
+        self.unless_failed(failed, RuntimeCall::Failed, &[self.link, site], Continuation::NextStatement);
         self.result()
     }
 
     /// The code of an intrinsic, and its result; `None` where Rust code is always asked.
-    fn written_out(&mut self, intrinsic: Intrinsic, [number, rlo, word]: [Val; 3], slow: &mut Slow) -> Option<Val> {
+    fn written_out(&mut self, intrinsic: Intrinsic, [number, rlo, word]: [Val; 3], slow: &mut SlowPath) -> Option<Val> {
         use Intrinsic as I;
         if intrinsic == I::Clock {
             return Some(self.clock_ms());
@@ -221,7 +221,7 @@ impl Translator<'_> {
     }
 
     /// The timer or counter with this number; one that the CPU does not have is left to Rust code.
-    fn item(&mut self, is_timer: bool, number: Val, slow: &mut Slow) -> Option<Item> {
+    fn item(&mut self, is_timer: bool, number: Val, slow: &mut SlowPath) -> Option<Item> {
         let (first, count, bytes) = match is_timer {
             true => (offset_of!(Run<'_, '_>, timers), self.layout.timers, size_of::<Timer>()),
             false => (offset_of!(Run<'_, '_>, counters), self.layout.counters, size_of::<Counter>()),
@@ -231,7 +231,7 @@ impl Translator<'_> {
             return Some(Item { base: self.item_base(is_timer, first), offset });
         }
         let number = self.word(number);
-        // In front of the look: Rust code comes back behind what the other way computes.
+        // Before the look: Rust code comes back behind what the other way computes.
         let base = self.item_base(is_timer, first);
         let missing = self.b.ins().icmp_imm_u(IntCC::UnsignedGreaterThanOrEqual, number, i64::from(count));
         self.leave_fast(missing, slow);
@@ -250,7 +250,7 @@ impl Translator<'_> {
     }
 
     /// Asks Rust code if a condition holds; nothing has changed so far.
-    fn leave_fast(&mut self, condition: Value, slow: &mut Slow) {
+    fn leave_fast(&mut self, condition: Value, slow: &mut SlowPath) {
         let slow = *slow.get_or_insert_with(|| self.cold_block());
         let go_on = self.b.create_block();
         self.b.ins().brif(condition, slow, &[], go_on, &[]);
@@ -462,7 +462,7 @@ impl Translator<'_> {
 
     /// `Timer::start`, with a preset that is known beforehand; a retentive on delay keeps a status that may have to be brought up to date
     /// first, and has none.
-    fn start_timer(&mut self, item: Item, kind: TimerKind, rlo: Val, preset: Option<u16>, fresh: bool, slow: &mut Slow) {
+    fn start_timer(&mut self, item: Item, kind: TimerKind, rlo: Val, preset: Option<u16>, fresh: bool, slow: &mut SlowPath) {
         let rlo = self.flag(rlo);
         let edge = self.byte(item, offset_of!(Timer, start_edge));
         let starts = match kind {

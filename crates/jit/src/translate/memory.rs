@@ -1,5 +1,5 @@
-//! Access to data memory: addresses known beforehand are offsets, the others cost one comparison; what that does not cover, or
-//! fails, is asked for.
+//! Loads and stores of data memory: constant addresses are offsets, computed ones cost one comparison; what that does not cover, or fails,
+//! is a slow path.
 
 use std::mem::offset_of;
 use std::ops::Range;
@@ -12,11 +12,11 @@ use sieben_engine::ir::{DataRegister, Inst, OnFault, Place, Var};
 use sieben_engine::machine::{CALLS_SHIFT, Register};
 use sieben_model::address::{Area, Width};
 
-use super::promote::Base;
+use super::scalar_promotion::Base;
 use super::value::Val;
-use super::{After, Translator};
-use crate::ask::Question;
+use super::{Continuation, Translator};
 use crate::run::{Link, Run};
+use crate::runtime_calls::RuntimeCall;
 
 /// The bits above the address of a pointer to the local data of the caller that no call has passed on.
 pub(super) const LOCAL_OF_CALLER: i64 = (Area::CallerLocal.pointer_code() as i64) << (24 - CALLS_SHIFT);
@@ -43,7 +43,7 @@ pub(super) struct Address {
 }
 
 /// How a place is reached.
-enum Way {
+enum AddressingMode {
     /// It is there.
     Direct(Address),
     /// It is there, among these bytes.
@@ -58,8 +58,8 @@ impl Translator<'_> {
     pub(super) fn load(&mut self, index: u32, dst: Var, place: Place, width: Width, on_fault: OnFault) {
         let way = self.way(index, place, width, on_fault == OnFault::SkipWrite);
         let value = match &way {
-            Way::Direct(address) => Some(self.read_known(*address, width)),
-            Way::Inside(address, touched) => Some(self.read_inside(*address, touched, width)),
+            AddressingMode::Direct(address) => Some(self.read_known(*address, width)),
+            AddressingMode::Inside(address, touched) => Some(self.read_inside(*address, touched, width)),
             _ => None,
         };
         if let Some(value) = value {
@@ -77,7 +77,7 @@ impl Translator<'_> {
         let wide = width == Width::QuadWord;
         let delivered = self.b.append_block_param(go_on, if wide { I64 } else { I32 });
         let slow = match way {
-            Way::Checked(condition, address) => {
+            AddressingMode::Checked(condition, address) => {
                 let [fast, slow] = [self.b.create_block(), self.cold_block()];
                 self.b.ins().brif(condition, fast, &[], slow, &[]);
                 self.b.switch_to_block(fast);
@@ -92,7 +92,7 @@ impl Translator<'_> {
                 self.b.ins().jump(go_on, &[BlockArg::Value(value)]);
                 slow
             }
-            Way::Direct(_) | Way::Inside(..) | Way::Asked => {
+            AddressingMode::Direct(_) | AddressingMode::Inside(..) | AddressingMode::Asked => {
                 let slow = self.b.create_block();
                 self.b.ins().jump(slow, &[]);
                 slow
@@ -104,10 +104,10 @@ impl Translator<'_> {
         let pointer = self.pointer(place);
         self.store_open_blocks();
         let site = self.site(index);
-        let failed = self.ask(Question::TryLoad, &[self.link, site, pointer]);
+        let failed = self.ask(RuntimeCall::TryLoad, &[self.link, site, pointer]);
         let value = self.result();
         let value = if wide { value } else { self.b.ins().ireduce(I32, value) };
-        let after = if on_fault == OnFault::DeliverZero { After::Deliver(go_on) } else { After::NextStatement };
+        let after = if on_fault == OnFault::DeliverZero { Continuation::Deliver(go_on) } else { Continuation::NextStatement };
         self.go_on_behind_question((failed, site), (go_on, &[BlockArg::Value(value)]), after, before);
         let delivered = match width {
             Width::Bit => Val::Bit { value: delivered, clean: false },
@@ -120,15 +120,15 @@ impl Translator<'_> {
     pub(super) fn store(&mut self, index: u32, place: Place, width: Width, value: Val) {
         let go_on;
         let slow = match self.way(index, place, width, true) {
-            Way::Direct(address) => {
+            AddressingMode::Direct(address) => {
                 self.write_known(address, width, value);
                 return;
             }
-            Way::Inside(address, touched) => {
+            AddressingMode::Inside(address, touched) => {
                 self.write_inside(address, &touched, width, value);
                 return;
             }
-            Way::Checked(condition, address) => {
+            AddressingMode::Checked(condition, address) => {
                 // Needed on both ways.
                 let value = self.force(value);
                 go_on = self.b.create_block();
@@ -142,7 +142,7 @@ impl Translator<'_> {
                 self.b.ins().jump(go_on, &[]);
                 slow
             }
-            Way::Asked => {
+            AddressingMode::Asked => {
                 self.store_waiting();
                 go_on = self.b.create_block();
                 let slow = self.b.create_block();
@@ -157,8 +157,8 @@ impl Translator<'_> {
         let pointer = self.pointer(place);
         self.store_open_blocks();
         let site = self.site(index);
-        let failed = self.ask(Question::TryStore, &[self.link, site, pointer, value]);
-        self.go_on_behind_question((failed, site), (go_on, &[]), After::NextStatement, before);
+        let failed = self.ask(RuntimeCall::TryStore, &[self.link, site, pointer, value]);
+        self.go_on_behind_question((failed, site), (go_on, &[]), Continuation::NextStatement, before);
     }
 
     /// Goes on at a block, which ends the cold code that asked a question there, unless that has failed at a site.
@@ -166,12 +166,12 @@ impl Translator<'_> {
         &mut self,
         (failed, site): (Value, Value),
         (go_on, arguments): (clif::Block, &[BlockArg]),
-        after: After,
+        after: Continuation,
         before: Option<clif::Block>,
     ) {
         let cold = self.cold_block();
         self.b.ins().brif(failed, cold, &[], go_on, arguments);
-        self.cold_path(cold, Question::Failed, &[self.link, site], after);
+        self.cold_path(cold, RuntimeCall::Failed, &[self.link, site], after);
         self.cold = before;
         self.b.switch_to_block(go_on);
         self.b.seal_block(go_on);
@@ -179,7 +179,7 @@ impl Translator<'_> {
     }
 
     /// How a place is reached.
-    fn way(&mut self, index: u32, place: Place, width: Width, write: bool) -> Way {
+    fn way(&mut self, index: u32, place: Place, width: Width, write: bool) -> AddressingMode {
         match place {
             Place::Fixed { area, position } => self.way_to_constant(area, position, width, write),
             Place::Indirect { area, pointer, offset } => {
@@ -208,10 +208,10 @@ impl Translator<'_> {
                 let pointer = constant;
                 match access::pointed_area(pointer, write) {
                     Ok(Area::CallerLocal) => match self.way_to_caller(moved(pointer, offset), width) {
-                        Some((offset, bit)) => Way::Direct(Address { base: self.local, offset, bit: Bit::Number(bit) }),
-                        None => Way::Asked,
+                        Some((offset, bit)) => AddressingMode::Direct(Address { base: self.local, offset, bit: Bit::Number(bit) }),
+                        None => AddressingMode::Asked,
                     },
-                    Ok(Area::PeripheralInput | Area::PeripheralOutput) | Err(_) => Way::Asked,
+                    Ok(Area::PeripheralInput | Area::PeripheralOutput) | Err(_) => AddressingMode::Asked,
                     Ok(area) => self.way_to_constant(area, moved(pointer, offset), width, write),
                 }
             }
@@ -219,10 +219,10 @@ impl Translator<'_> {
     }
 
     /// A computed position in the local data of the caller, if that is in this function and the access is known to stay there.
-    fn way_inside_caller(&mut self, index: u32, (pointer, offset): (Val, u32), width: Width) -> Option<Way> {
+    fn way_inside_caller(&mut self, index: u32, (pointer, offset): (Val, u32), width: Width) -> Option<AddressingMode> {
         let touched = self.ranges.inside(index)?;
         let address = self.address_in_caller(&touched, (pointer, offset), (width, width.bytes()))?;
-        Some(Way::Inside(address, touched))
+        Some(AddressingMode::Inside(address, touched))
     }
 
     /// The address of bytes in the local data of a caller that is in this function, if they are known to lie there.
@@ -297,33 +297,33 @@ impl Translator<'_> {
         }
     }
 
-    fn way_to_constant(&mut self, area: Area, position: u32, width: Width, write: bool) -> Way {
+    fn way_to_constant(&mut self, area: Area, position: u32, width: Width, write: bool) -> AddressingMode {
         let (byte, bit) = (position / 8, (position % 8) as u8);
         if width != Width::Bit && bit != 0 {
-            return Way::Asked;
+            return AddressingMode::Asked;
         }
         let end = u64::from(byte) + u64::from(width.bytes());
         if let Some((base, start, length)) = self.area(area) {
             return match i32::try_from(i64::from(start) + i64::from(byte)) {
-                Ok(offset) if end <= length as u64 => Way::Direct(Address { base, offset, bit: Bit::Number(bit) }),
-                _ => Way::Asked,
+                Ok(offset) if end <= length as u64 => AddressingMode::Direct(Address { base, offset, bit: Bit::Number(bit) }),
+                _ => AddressingMode::Asked,
             };
         }
-        let Some((base, length)) = self.open_block(area, write) else { return Way::Asked };
-        let Ok(offset) = i32::try_from(byte) else { return Way::Asked };
+        let Some((base, length)) = self.open_block(area, write) else { return AddressingMode::Asked };
+        let Ok(offset) = i32::try_from(byte) else { return AddressingMode::Asked };
         if let (Val::Const(base), Val::Const(length)) = (base, length) {
             return match i32::try_from(base + u64::from(byte)) {
-                Ok(offset) if end <= length => Way::Direct(Address { base: self.arena, offset, bit: Bit::Number(bit) }),
-                _ => Way::Asked,
+                Ok(offset) if end <= length => AddressingMode::Direct(Address { base: self.arena, offset, bit: Bit::Number(bit) }),
+                _ => AddressingMode::Asked,
             };
         }
         let (base, length) = (self.word(base), self.word(length));
         let inside = self.b.ins().icmp_imm_u(IntCC::UnsignedGreaterThanOrEqual, length, end as i64);
         let base = self.b.ins().iadd(self.arena, base);
-        Way::Checked(inside, Address { base, offset, bit: Bit::Number(bit) })
+        AddressingMode::Checked(inside, Address { base, offset, bit: Bit::Number(bit) })
     }
 
-    fn way_to_pointer(&mut self, index: u32, area: Area, (pointer, offset): (Val, u32), width: Width, write: bool) -> Way {
+    fn way_to_pointer(&mut self, index: u32, area: Area, (pointer, offset): (Val, u32), width: Width, write: bool) -> AddressingMode {
         let (base, start, length) = if let Some((base, start, length)) = self.area(area) {
             (base, start, Val::Const(length as u64))
         } else if let Some((base, length)) = self.open_block(area, write) {
@@ -335,7 +335,7 @@ impl Translator<'_> {
                 }
             }
         } else {
-            return Way::Asked;
+            return AddressingMode::Asked;
         };
         let inside = self.ranges.inside(index).or_else(|| {
             let (Val::Const(length), Val::Int(pointer)) = (length, pointer) else { return None };
@@ -344,21 +344,21 @@ impl Translator<'_> {
         });
         if let (Val::Const(length), Some(touched)) = (length, inside) {
             if let Some(address) = self.field((base, start, length), (pointer, offset), (width, width.bytes()), &touched, write) {
-                return Way::Direct(address);
+                return AddressingMode::Direct(address);
             }
-            return Way::Inside(self.address_inside((base, start, length), pointer, offset, (width, width.bytes())), touched);
+            return AddressingMode::Inside(self.address_inside((base, start, length), pointer, offset, (width, width.bytes())), touched);
         }
         let bits = self.int(pointer);
         match self.indexed_in_instance(area, (bits, offset), width) {
-            Some(address) => Way::Direct(address),
+            Some(address) => AddressingMode::Direct(address),
             None => self.way_in(base, start, length, pointer, offset, width),
         }
     }
 
     /// A pointer whose area is known only when the program runs: I, Q, M, an open data block, or the local data of the caller.
-    fn way_to_any_area(&mut self, pointer: Val, offset: u32, width: Width, write: bool) -> Way {
+    fn way_to_any_area(&mut self, pointer: Val, offset: u32, width: Width, write: bool) -> AddressingMode {
         if write && self.options.asks_before_writing {
-            return Way::Asked;
+            return AddressingMode::Asked;
         }
         let bits = self.int(pointer);
         let code = self.b.ins().ushr_imm_u(bits, 24);
@@ -390,8 +390,8 @@ impl Translator<'_> {
         self.way_in(base, 0, Val::Word(length), pointer, offset, width)
     }
 
-    /// First byte and number of bytes of I, Q or M, to which a pointer leads; none if it leads elsewhere. They stand in a table under their codes,
-    /// 16#81 to 16#83; it has 16 places, and the code chooses without a branch.
+    /// First byte and number of bytes of I, Q or M, to which a pointer leads; none if it leads elsewhere. They stand in a table under their
+    /// codes, 16#81 to 16#83; it has 16 places, and the code chooses without a branch.
     fn area_by_code(&mut self, bits: Value) -> (Value, Value) {
         let group = self.b.ins().ushr_imm_u(bits, 28);
         let known = self.b.ins().icmp_imm_u(IntCC::Equal, group, 8);
@@ -407,8 +407,8 @@ impl Translator<'_> {
         (self.b.ins().load(I64, trusted, entry, 0), self.b.ins().load(I64, trusted, entry, 8))
     }
 
-    /// First byte and number of bytes of the local data of the caller, if a pointer leads there, else those of another area. The local data of
-    /// the caller end where those of this block begin. A pointer that was passed on further is asked for.
+    /// First byte and number of bytes of the local data of the caller, if a pointer leads there, else those of another area. The local data
+    /// of the caller end where those of this block begin. A pointer that was passed on further is asked for.
     fn or_of_caller(&mut self, bits: Value, (start, length): (Value, Value)) -> (Value, Value) {
         if !self.called_only() {
             return (start, length);
@@ -429,7 +429,7 @@ impl Translator<'_> {
     }
 
     /// A computed position in an area.
-    fn way_in(&mut self, base: Value, start: i32, length: Val, pointer: Val, offset: u32, width: Width) -> Way {
+    fn way_in(&mut self, base: Value, start: i32, length: Val, pointer: Val, offset: u32, width: Width) -> AddressingMode {
         let pointer = self.int(pointer);
         let pointer = if offset == 0 { pointer } else { self.b.ins().iadd_imm_u(pointer, i64::from(offset)) };
         let moved = self.b.ins().band_imm_u(pointer, 0x00FF_FFFF);
@@ -444,7 +444,7 @@ impl Translator<'_> {
         let byte = self.b.ins().uextend(I64, byte);
         let bytes = i64::from(width.bytes());
         let inside = match length {
-            Val::Const(length) if length < bytes as u64 => return Way::Asked,
+            Val::Const(length) if length < bytes as u64 => return AddressingMode::Asked,
             Val::Const(length) => self.b.ins().icmp_imm_u(IntCC::UnsignedLessThanOrEqual, byte, length as i64 - bytes),
             length => {
                 let length = self.word(length);
@@ -453,7 +453,7 @@ impl Translator<'_> {
             }
         };
         let base = self.b.ins().iadd(base, byte);
-        Way::Checked(inside, Address { base, offset: start, bit })
+        AddressingMode::Checked(inside, Address { base, offset: start, bit })
     }
 
     pub(super) fn read(&mut self, Address { base, offset, bit }: Address, width: Width) -> Val {
@@ -541,7 +541,7 @@ impl Translator<'_> {
         }
     }
 
-    /// A byte with one of its bits written anew.
+    /// A byte with one of its bits written again.
     pub(super) fn with_bit(&mut self, old: Value, bit: Bit, value: Val) -> Value {
         let value = self.force(value);
         match (value, bit) {

@@ -1,4 +1,4 @@
-//! Bytes that are copied in pieces, as few as possible.
+//! Inlined copies of bytes, in as few loads and stores as possible.
 
 use cranelift_codegen::ir::types::{I8, I8X16, I16, I32, I64};
 use cranelift_codegen::ir::{InstBuilder, Type, Value};

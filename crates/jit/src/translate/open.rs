@@ -1,4 +1,4 @@
-//! Opening data blocks: by a number that is known beforehand, or by looking into the table of those that the program was loaded with.
+//! Opening data blocks: by a constant number, or by the table of those that the program was loaded with.
 
 use std::mem::offset_of;
 use std::ops::Range;
@@ -11,9 +11,9 @@ use sieben_engine::ir::{DataRegister, Var};
 use sieben_model::address::Width;
 
 use super::value::Val;
-use super::{After, TRUSTED, Translator};
-use crate::ask::Question;
+use super::{Continuation, TRUSTED, Translator};
 use crate::run::{NOT_LOADED, Run};
+use crate::runtime_calls::RuntimeCall;
 
 impl Translator<'_> {
     /// Opens a data block.
@@ -47,12 +47,12 @@ impl Translator<'_> {
         self.b.seal_block(slow);
         let before = self.cold.replace(slow);
         let site = self.site(index);
-        let failed = self.ask(Question::TryOpen, &[site, number]);
+        let failed = self.ask(RuntimeCall::TryOpen, &[site, number]);
         let memory = self.registers_in_memory();
         let found = [1, 2].map(|at| self.b.ins().load(I64, TRUSTED, memory, registers[at].offset() as i32));
         let failing = self.cold_block();
         self.b.ins().brif(failed, failing, &[], go_on, &found.map(BlockArg::Value));
-        self.cold_path(failing, Question::Failed, &[self.link, site], After::NextStatement);
+        self.cold_path(failing, RuntimeCall::Failed, &[self.link, site], Continuation::NextStatement);
         self.cold = before;
         self.b.switch_to_block(go_on);
         self.b.seal_block(go_on);

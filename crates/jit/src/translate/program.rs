@@ -1,4 +1,4 @@
-//! Compiles all blocks of a program: declares their functions, has each one written, and makes machine code of it.
+//! The compile driver: declares the functions of all blocks of a program, has each one written, and makes machine code of it.
 
 use std::collections::BTreeSet;
 
@@ -14,9 +14,9 @@ use cranelift_module::{FuncId, Module, ModuleError, ModuleReloc};
 use sieben_engine::Layout;
 use sieben_model::block::BlockId;
 
-use super::outside::{self, Functions};
-use super::versions::Versions;
-use super::{Program, Translator, analysis, effects, gates, inlining, instance_needs, instance_pointer, near_reads};
+use super::specialization::Specializations;
+use super::symbols::{self, Functions};
+use super::{Program, Translator, dereferenceable, inlining, load_sinking, mod_ref, pointer_propagation, status_liveness, thunks};
 use crate::entry::Generation;
 use crate::jit::Native;
 use crate::passes::{Pass, PassSet};
@@ -87,7 +87,7 @@ const PROLOGUE_BYTES: usize = 16;
 pub(super) type Find<'a> = &'a dyn Fn(BlockId) -> Option<u32>;
 
 /// The machine that code is for, with the given settings of Cranelift.
-fn instruction_set(level: &str, algorithm: &str, machine: Machine) -> Result<OwnedTargetIsa, String> {
+fn instruction_set(level: &str, algorithm: &str, machine: Target) -> Result<OwnedTargetIsa, String> {
     let mut flags = settings::builder();
     let set = |flags: &mut settings::Builder, name: &str, value: &str| flags.set(name, value).map_err(|error| error.to_string());
     set(&mut flags, "opt_level", level)?;
@@ -97,19 +97,19 @@ fn instruction_set(level: &str, algorithm: &str, machine: Machine) -> Result<Own
     // Frames have a limit below, so that nobody has to look for the end of the stack.
     set(&mut flags, "enable_probestack", "false")?;
     let verified = match machine {
-        Machine::This => false,
+        Target::This => false,
         #[cfg(target_arch = "x86_64")]
-        Machine::Counted => false,
+        Target::Counted => false,
         #[cfg(feature = "aarch64")]
-        Machine::Aarch64 => true,
+        Target::Aarch64 => true,
     };
     set(&mut flags, "enable_verifier", if verified { "true" } else { "false" })?;
     // Nobody unwinds through machine code: what it calls never panics into it.
     set(&mut flags, "unwind_info", "false")?;
     let builder = match machine {
-        Machine::This => cranelift_native::builder().map_err(|message| format!("this machine is not supported: {message}"))?,
+        Target::This => cranelift_native::builder().map_err(|message| format!("this machine is not supported: {message}"))?,
         #[cfg(target_arch = "x86_64")]
-        Machine::Counted => {
+        Target::Counted => {
             let mut builder =
                 cranelift_codegen::isa::lookup_by_name("x86_64-unknown-linux-gnu").map_err(|error| format!("no x86-64: {error}"))?;
             for feature in COUNTED_FEATURES {
@@ -118,7 +118,7 @@ fn instruction_set(level: &str, algorithm: &str, machine: Machine) -> Result<Own
             builder
         }
         #[cfg(feature = "aarch64")]
-        Machine::Aarch64 => {
+        Target::Aarch64 => {
             cranelift_codegen::isa::lookup_by_name("aarch64-unknown-linux-gnu").map_err(|error| format!("no aarch64: {error}"))?
         }
     };
@@ -143,7 +143,7 @@ const COUNTED_FEATURES: [&str; 11] = [
 
 /// The machine that code is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Machine {
+enum Target {
     /// This one.
     This,
     /// A fixed one, so that the bytes of code are the same wherever they are counted; the code never runs.
@@ -155,7 +155,7 @@ enum Machine {
 }
 
 /// The code of a program before it becomes executable.
-struct Written {
+struct EmittedCode {
     module: JITModule,
     /// The general version of each block, if somebody may enter it.
     blocks: Vec<Option<FuncId>>,
@@ -170,7 +170,7 @@ struct Written {
 
 /// Compiles all blocks, to be read and not to be run: as text.
 pub(crate) fn listing(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options) -> Result<String, String> {
-    Ok(write(blocks, find, layout, Options { lists: true, ..options }, Machine::This)?.listing)
+    Ok(write(blocks, find, layout, Options { lists: true, ..options }, Target::This)?.listing)
 }
 
 /// Compiles all blocks. The code takes the data blocks with the returned numbers to be as they were loaded.
@@ -180,7 +180,7 @@ pub(crate) fn program(
     layout: &Layout,
     options: Options,
 ) -> Result<(Generation, BTreeSet<u16>, Vec<Room>), String> {
-    let Written { mut module, blocks, bytes, frame_max, mut pinned, rooms, .. } = write(blocks, find, layout, options, Machine::This)?;
+    let EmittedCode { mut module, blocks, bytes, frame_max, mut pinned, rooms, .. } = write(blocks, find, layout, options, Target::This)?;
     module.finalize_definitions().map_err(|error| error.to_string())?;
     let levels = (STACK_BYTES / (frame_max + STACK_BYTES_OF_A_CALL)).min(LINKS);
     if levels < levels_needed(layout) {
@@ -198,17 +198,17 @@ fn levels_needed(layout: &Layout) -> usize {
 /// Compiles all blocks for aarch64 with Cranelift's checks, to see that it can be done; how many bytes of code there are.
 #[cfg(feature = "aarch64")]
 pub(crate) fn aarch64_bytes(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options) -> Result<usize, String> {
-    Ok(write(blocks, find, layout, options, Machine::Aarch64)?.bytes)
+    Ok(write(blocks, find, layout, options, Target::Aarch64)?.bytes)
 }
 
 /// The bytes of the code of all blocks for a fixed processor.
 #[cfg(target_arch = "x86_64")]
 pub(crate) fn counted_bytes(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options) -> Result<usize, String> {
-    Ok(write(blocks, find, layout, options, Machine::Counted)?.bytes)
+    Ok(write(blocks, find, layout, options, Target::Counted)?.bytes)
 }
 
 /// Writes the code of all blocks for a machine.
-fn write(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options, machine: Machine) -> Result<Written, String> {
+fn write(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options, machine: Target) -> Result<EmittedCode, String> {
     let isa = instruction_set("none", if options.optimize { "backtracking" } else { "single_pass" }, machine)?;
     // Cranelift's optimizations move calculations to where their results are used: good in a loop, bad in straight bit logic, where the
     // bytes that were read wait in registers until then.
@@ -221,19 +221,19 @@ fn write(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options, m
     let frame_limit = STACK_BYTES / levels_needed(layout) - STACK_BYTES_OF_A_CALL;
     let mut builder = JITBuilder::with_isa(isa, cranelift_module::default_libcall_names());
     let passes = options.passes;
-    let plans = if passes.has(Pass::Inlining) { inlining::plan(blocks, find) } else { vec![inlining::Plan::default(); blocks.len()] };
+    let plans = if passes.has(Pass::Inlining) { inlining::plan(blocks, find) } else { vec![inlining::InlinePlan::default(); blocks.len()] };
     let insts = inlining::instructions_max(blocks, find, &plans);
     let reserve = insts.saturating_mul(RESERVED_BYTES_PER_INSTRUCTION).clamp(RESERVED_BYTES_MIN, RESERVED_BYTES_MAX);
     builder.memory_provider(Box::new(ArenaMemoryProvider::new_with_size(reserve).map_err(|error| error.to_string())?));
-    builder.symbol_lookup_fn(Box::new(outside::address));
+    builder.symbol_lookup_fn(Box::new(symbols::address));
     let mut module = JITModule::new(builder);
     let functions = Functions::default();
-    let pointers = instance_pointer::follow(blocks, find);
-    let needs = instance_needs::find(blocks, &pointers, find);
-    let mut versions = Versions::new(&mut module, blocks, find, needs, options.optimize).map_err(|error| error.to_string())?;
-    let summaries = analysis::summaries(blocks, find, options.exact);
+    let pointers = pointer_propagation::follow(blocks, find);
+    let needs = dereferenceable::find(blocks, &pointers, find);
+    let mut versions = Specializations::new(&mut module, blocks, find, needs, options.optimize).map_err(|error| error.to_string())?;
+    let summaries = status_liveness::summaries(blocks, find, options.exact);
     let effects = match passes.has(Pass::ModRef) {
-        true => effects::find(blocks, find, (layout, passes), &plans, &pointers),
+        true => mod_ref::find(blocks, find, (layout, passes), &plans, &pointers),
         false => vec![None; blocks.len()],
     };
     let mut context = module.make_context();
@@ -289,10 +289,10 @@ fn write(blocks: &[Native], find: Find<'_>, layout: &Layout, options: Options, m
         frame_max = frame_max.max(frame_bytes(code));
         module.clear_context(&mut context);
     }
-    bytes += gates::define(&mut module, &functions, &mut context, &mut frontend).map_err(|error| error.to_string())?;
+    bytes += thunks::define(&mut module, &functions, &mut context, &mut frontend).map_err(|error| error.to_string())?;
     let blocks = (0..blocks.len()).map(|index| versions.general(index)).collect();
-    let rooms = plans.iter().map(inlining::Plan::room).collect();
-    Ok(Written { module, blocks, bytes, frame_max, pinned, rooms, listing })
+    let rooms = plans.iter().map(inlining::InlinePlan::room).collect();
+    Ok(EmittedCode { module, blocks, bytes, frame_max, pinned, rooms, listing })
 }
 
 /// The instruction sets that a function may be compiled for beside that of the module.
@@ -320,7 +320,7 @@ fn define(module: &mut JITModule, id: FuncId, context: &mut Context, sets: Sets<
         Some(other) => {
             context.optimize(&**other, &mut ControlPlane::default()).map_err(ModuleError::from)?;
             if sets.passes.has(Pass::LoadSinking) {
-                near_reads::bring_nearer(&mut context.func);
+                load_sinking::bring_nearer(&mut context.func);
             }
             // It is optimized.
             &**sets.for_room

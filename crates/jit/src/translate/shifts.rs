@@ -1,5 +1,5 @@
-//! Shifts and rotations by counts that are not known beforehand, and operations on single bits of a number, as machine code: a third
-//! part of the list of `inline.rs`, under the same comparison.
+//! Instruction selection for shifts and rotations by variable counts, and for operations on single bits of a number: a third part of the
+//! list of `instruction_selection.rs`, under the same comparison.
 
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::{I8, I16, I32, I64};
@@ -10,7 +10,7 @@ use super::{Translator, value::Val};
 
 /// Where bits go.
 #[derive(Clone, Copy)]
-enum To {
+enum ShiftDirection {
     Left,
     Right,
     /// To the right, with the sign behind them.
@@ -22,32 +22,32 @@ impl Translator<'_> {
     #[rustfmt::skip] // A table.
     pub(super) fn inline_shift(&mut self, op: Op, a: Val, b: Val, c: Val) -> Option<Val> {
         Some(match op {
-            Op::Shl8 => self.shifted_by(To::Left, 8, a, b),
-            Op::Shr8 => self.shifted_by(To::Right, 8, a, b),
-            Op::Sar8 => self.shifted_by(To::Signed, 8, a, b),
-            Op::Shl16 => self.shifted_by(To::Left, 16, a, b),
-            Op::Shr16 => self.shifted_by(To::Right, 16, a, b),
-            Op::Sar16 => self.shifted_by(To::Signed, 16, a, b),
-            Op::Shl32 => self.shifted_by(To::Left, 32, a, b),
-            Op::Shr32 => self.shifted_by(To::Right, 32, a, b),
-            Op::Sar32 => self.shifted_by(To::Signed, 32, a, b),
-            Op::Shl64 => self.shifted_64(To::Left, a, b),
-            Op::Shr64 => self.shifted_64(To::Right, a, b),
-            Op::Sar64 => self.shifted_64(To::Signed, a, b),
-            Op::Shl16Out => self.shifted_out(To::Left, 16, a, b),
-            Op::Shr16Out => self.shifted_out(To::Right, 16, a, b),
-            Op::Sar16Out => self.shifted_out(To::Signed, 16, a, b),
-            Op::Shl32Out => self.shifted_out(To::Left, 32, a, b),
-            Op::Shr32Out => self.shifted_out(To::Right, 32, a, b),
-            Op::Sar32Out => self.shifted_out(To::Signed, 32, a, b),
-            Op::Rol8 => self.rotated(To::Left, 8, a, b),
-            Op::Ror8 => self.rotated(To::Right, 8, a, b),
-            Op::Rol16 => self.rotated(To::Left, 16, a, b),
-            Op::Ror16 => self.rotated(To::Right, 16, a, b),
-            Op::Rol32 => self.rotated(To::Left, 32, a, b),
-            Op::Ror32 => self.rotated(To::Right, 32, a, b),
-            Op::Rol64 => self.rotated(To::Left, 64, a, b),
-            Op::Ror64 => self.rotated(To::Right, 64, a, b),
+            Op::Shl8 => self.shifted_by(ShiftDirection::Left, 8, a, b),
+            Op::Shr8 => self.shifted_by(ShiftDirection::Right, 8, a, b),
+            Op::Sar8 => self.shifted_by(ShiftDirection::Signed, 8, a, b),
+            Op::Shl16 => self.shifted_by(ShiftDirection::Left, 16, a, b),
+            Op::Shr16 => self.shifted_by(ShiftDirection::Right, 16, a, b),
+            Op::Sar16 => self.shifted_by(ShiftDirection::Signed, 16, a, b),
+            Op::Shl32 => self.shifted_by(ShiftDirection::Left, 32, a, b),
+            Op::Shr32 => self.shifted_by(ShiftDirection::Right, 32, a, b),
+            Op::Sar32 => self.shifted_by(ShiftDirection::Signed, 32, a, b),
+            Op::Shl64 => self.shifted_64(ShiftDirection::Left, a, b),
+            Op::Shr64 => self.shifted_64(ShiftDirection::Right, a, b),
+            Op::Sar64 => self.shifted_64(ShiftDirection::Signed, a, b),
+            Op::Shl16Out => self.shifted_out(ShiftDirection::Left, 16, a, b),
+            Op::Shr16Out => self.shifted_out(ShiftDirection::Right, 16, a, b),
+            Op::Sar16Out => self.shifted_out(ShiftDirection::Signed, 16, a, b),
+            Op::Shl32Out => self.shifted_out(ShiftDirection::Left, 32, a, b),
+            Op::Shr32Out => self.shifted_out(ShiftDirection::Right, 32, a, b),
+            Op::Sar32Out => self.shifted_out(ShiftDirection::Signed, 32, a, b),
+            Op::Rol8 => self.rotated(ShiftDirection::Left, 8, a, b),
+            Op::Ror8 => self.rotated(ShiftDirection::Right, 8, a, b),
+            Op::Rol16 => self.rotated(ShiftDirection::Left, 16, a, b),
+            Op::Ror16 => self.rotated(ShiftDirection::Right, 16, a, b),
+            Op::Rol32 => self.rotated(ShiftDirection::Left, 32, a, b),
+            Op::Ror32 => self.rotated(ShiftDirection::Right, 32, a, b),
+            Op::Rol64 => self.rotated(ShiftDirection::Left, 64, a, b),
+            Op::Ror64 => self.rotated(ShiftDirection::Right, 64, a, b),
             Op::Rol33 => { let (a, carry) = (self.int(a), self.flag(b)); let moved = self.b.ins().ishl_imm_u(a, 1); Val::Int(self.b.ins().bor(moved, carry)) }
             Op::Ror33 => {
                 let (a, carry) = (self.int(a), self.flag(b));
@@ -99,28 +99,28 @@ impl Translator<'_> {
     }
 
     /// A number of at most 32 bits in 64: all of its bits can be shifted away by 63 or less.
-    fn in_64_bits(&mut self, to: To, bits: u32, a: Val) -> Value {
+    fn in_64_bits(&mut self, to: ShiftDirection, bits: u32, a: Val) -> Value {
         match to {
-            To::Left | To::Right => {
+            ShiftDirection::Left | ShiftDirection::Right => {
                 let a = self.unsigned(bits, a);
                 self.b.ins().uextend(I64, a)
             }
-            To::Signed => {
+            ShiftDirection::Signed => {
                 let a = self.signed(bits, a);
                 self.b.ins().sextend(I64, a)
             }
         }
     }
 
-    fn moved_by(&mut self, to: To, a: Value, count: Value) -> Value {
+    fn moved_by(&mut self, to: ShiftDirection, a: Value, count: Value) -> Value {
         match to {
-            To::Left => self.b.ins().ishl(a, count),
-            To::Right => self.b.ins().ushr(a, count),
-            To::Signed => self.b.ins().sshr(a, count),
+            ShiftDirection::Left => self.b.ins().ishl(a, count),
+            ShiftDirection::Right => self.b.ins().ushr(a, count),
+            ShiftDirection::Signed => self.b.ins().sshr(a, count),
         }
     }
 
-    fn shifted_by(&mut self, to: To, bits: u32, a: Val, count: Val) -> Val {
+    fn shifted_by(&mut self, to: ShiftDirection, bits: u32, a: Val, count: Val) -> Val {
         if bits == 32 && self.bits_used(count) <= 5 {
             let (a, count) = (self.int(a), self.int(count));
             return Val::Int(self.moved_by(to, a, count));
@@ -131,9 +131,9 @@ impl Translator<'_> {
         self.cut(bits, low)
     }
 
-    fn shifted_64(&mut self, to: To, a: Val, count: Val) -> Val {
+    fn shifted_64(&mut self, to: ShiftDirection, a: Val, count: Val) -> Val {
         let a = self.word(a);
-        if matches!(to, To::Signed) {
+        if matches!(to, ShiftDirection::Signed) {
             let count = self.count_to_63(count);
             return Val::Word(self.b.ins().sshr(a, count));
         }
@@ -145,9 +145,9 @@ impl Translator<'_> {
     }
 
     /// The bit that was shifted out last; 0 if none was.
-    fn shifted_out(&mut self, to: To, bits: u32, a: Val, count: Val) -> Val {
+    fn shifted_out(&mut self, to: ShiftDirection, bits: u32, a: Val, count: Val) -> Val {
         let (a, count) = (self.in_64_bits(to, bits, a), self.count_to_63(count));
-        let last = if matches!(to, To::Left) {
+        let last = if matches!(to, ShiftDirection::Left) {
             let moved = self.moved_by(to, a, count);
             self.b.ins().ushr_imm_u(moved, i64::from(bits))
         } else {
@@ -157,7 +157,7 @@ impl Translator<'_> {
         Val::Bit { value: self.b.ins().ireduce(I32, last), clean: false }
     }
 
-    fn rotated(&mut self, to: To, bits: u32, a: Val, count: Val) -> Val {
+    fn rotated(&mut self, to: ShiftDirection, bits: u32, a: Val, count: Val) -> Val {
         let (a, count) = (if bits == 64 { self.word(a) } else { self.int(a) }, self.int(count));
         let ty = match bits {
             8 => Some(I8),
@@ -166,7 +166,7 @@ impl Translator<'_> {
         };
         let a = ty.map_or(a, |ty| self.b.ins().ireduce(ty, a));
         // Counts are taken modulo the size.
-        let moved = if matches!(to, To::Left) { self.b.ins().rotl(a, count) } else { self.b.ins().rotr(a, count) };
+        let moved = if matches!(to, ShiftDirection::Left) { self.b.ins().rotl(a, count) } else { self.b.ins().rotr(a, count) };
         match bits {
             64 => Val::Word(moved),
             32 => Val::Int(moved),

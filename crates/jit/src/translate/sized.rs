@@ -1,4 +1,5 @@
-//! Operations on numbers of every size as machine code: a second part of the list of `inline.rs`, under the same comparison.
+//! Instruction selection for operations on numbers of every size: a second part of the list of `instruction_selection.rs`, under the same
+//! comparison.
 
 use cranelift_codegen::ir::condcodes::{FloatCC, IntCC};
 use cranelift_codegen::ir::immediates::Ieee64;
@@ -6,8 +7,8 @@ use cranelift_codegen::ir::types::{F32, F64, I8, I16, I32, I64};
 use cranelift_codegen::ir::{InstBuilder, InstructionData, MemFlagsData, Opcode, Type, Value, ValueDef};
 use sieben_engine::ir::Op;
 
-use super::inline::count;
-use super::quotients::factor_f64;
+use super::division_by_constants::factor_f64;
+use super::instruction_selection::count;
 use super::{Translator, value::Val};
 
 /// How many operations behind a product are followed.
@@ -15,7 +16,7 @@ const PRODUCT_DEPTH_MAX: u32 = 6;
 
 /// What is computed with two numbers of one size.
 #[derive(Clone, Copy)]
-enum Two {
+enum BinaryOp {
     Add,
     Subtract,
     Multiply,
@@ -34,20 +35,20 @@ impl Translator<'_> {
     pub(super) fn inline_sized(&mut self, op: Op, a: Val, b: Val, c: Val) -> Option<Val> {
         use Size::{Signed, Unsigned};
         Some(match op {
-            Op::AddU8 => self.wrapped(Two::Add, 8, a, b),
-            Op::AddU16 => self.wrapped(Two::Add, 16, a, b),
-            Op::AddU64 => self.wrapped(Two::Add, 64, a, b),
-            Op::SubU8 => self.wrapped(Two::Subtract, 8, a, b),
-            Op::SubU16 => self.wrapped(Two::Subtract, 16, a, b),
-            Op::SubU64 => self.wrapped(Two::Subtract, 64, a, b),
-            Op::MulU8 => self.wrapped(Two::Multiply, 8, a, b),
-            Op::MulU16 => self.wrapped(Two::Multiply, 16, a, b),
-            Op::MulU32 => self.wrapped(Two::Multiply, 32, a, b),
-            Op::MulU64 => self.wrapped(Two::Multiply, 64, a, b),
-            Op::NegI8 => self.wrapped(Two::Subtract, 8, Val::Const(0), a),
-            Op::NegI16 => self.wrapped(Two::Subtract, 16, Val::Const(0), a),
-            Op::NegI32 => self.wrapped(Two::Subtract, 32, Val::Const(0), a),
-            Op::NegI64 => self.wrapped(Two::Subtract, 64, Val::Const(0), a),
+            Op::AddU8 => self.wrapped(BinaryOp::Add, 8, a, b),
+            Op::AddU16 => self.wrapped(BinaryOp::Add, 16, a, b),
+            Op::AddU64 => self.wrapped(BinaryOp::Add, 64, a, b),
+            Op::SubU8 => self.wrapped(BinaryOp::Subtract, 8, a, b),
+            Op::SubU16 => self.wrapped(BinaryOp::Subtract, 16, a, b),
+            Op::SubU64 => self.wrapped(BinaryOp::Subtract, 64, a, b),
+            Op::MulU8 => self.wrapped(BinaryOp::Multiply, 8, a, b),
+            Op::MulU16 => self.wrapped(BinaryOp::Multiply, 16, a, b),
+            Op::MulU32 => self.wrapped(BinaryOp::Multiply, 32, a, b),
+            Op::MulU64 => self.wrapped(BinaryOp::Multiply, 64, a, b),
+            Op::NegI8 => self.wrapped(BinaryOp::Subtract, 8, Val::Const(0), a),
+            Op::NegI16 => self.wrapped(BinaryOp::Subtract, 16, Val::Const(0), a),
+            Op::NegI32 => self.wrapped(BinaryOp::Subtract, 32, Val::Const(0), a),
+            Op::NegI64 => self.wrapped(BinaryOp::Subtract, 64, Val::Const(0), a),
             Op::AbsI8 => self.magnitude(8, a),
             Op::AbsI16 => self.magnitude(16, a),
             Op::AbsI32 => self.magnitude(32, a),
@@ -89,24 +90,24 @@ impl Translator<'_> {
             Op::GeI64 => self.compare_signed(IntCC::SignedGreaterThanOrEqual, 64, a, b),
 
             // What was lost. With 64 bits it is computed where it is asked for, which is rare.
-            Op::AddOverflowsI8 => self.lost(Two::Add, Signed(8), a, b),
-            Op::AddOverflowsI16 => self.lost(Two::Add, Signed(16), a, b),
-            Op::AddOverflowsI32 => self.lost(Two::Add, Signed(32), a, b),
-            Op::AddOverflowsU8 => self.lost(Two::Add, Unsigned(8), a, b),
-            Op::AddOverflowsU16 => self.lost(Two::Add, Unsigned(16), a, b),
-            Op::AddOverflowsU32 => self.lost(Two::Add, Unsigned(32), a, b),
-            Op::SubOverflowsI8 => self.lost(Two::Subtract, Signed(8), a, b),
-            Op::SubOverflowsI16 => self.lost(Two::Subtract, Signed(16), a, b),
-            Op::SubOverflowsI32 => self.lost(Two::Subtract, Signed(32), a, b),
-            Op::SubOverflowsU8 => self.lost(Two::Subtract, Unsigned(8), a, b),
-            Op::SubOverflowsU16 => self.lost(Two::Subtract, Unsigned(16), a, b),
-            Op::SubOverflowsU32 => self.lost(Two::Subtract, Unsigned(32), a, b),
-            Op::MulOverflowsI8 => self.lost(Two::Multiply, Signed(8), a, b),
-            Op::MulOverflowsI16 => self.lost(Two::Multiply, Signed(16), a, b),
-            Op::MulOverflowsI32 => self.lost(Two::Multiply, Signed(32), a, b),
-            Op::MulOverflowsU8 => self.lost(Two::Multiply, Unsigned(8), a, b),
-            Op::MulOverflowsU16 => self.lost(Two::Multiply, Unsigned(16), a, b),
-            Op::MulOverflowsU32 => self.lost(Two::Multiply, Unsigned(32), a, b),
+            Op::AddOverflowsI8 => self.lost(BinaryOp::Add, Signed(8), a, b),
+            Op::AddOverflowsI16 => self.lost(BinaryOp::Add, Signed(16), a, b),
+            Op::AddOverflowsI32 => self.lost(BinaryOp::Add, Signed(32), a, b),
+            Op::AddOverflowsU8 => self.lost(BinaryOp::Add, Unsigned(8), a, b),
+            Op::AddOverflowsU16 => self.lost(BinaryOp::Add, Unsigned(16), a, b),
+            Op::AddOverflowsU32 => self.lost(BinaryOp::Add, Unsigned(32), a, b),
+            Op::SubOverflowsI8 => self.lost(BinaryOp::Subtract, Signed(8), a, b),
+            Op::SubOverflowsI16 => self.lost(BinaryOp::Subtract, Signed(16), a, b),
+            Op::SubOverflowsI32 => self.lost(BinaryOp::Subtract, Signed(32), a, b),
+            Op::SubOverflowsU8 => self.lost(BinaryOp::Subtract, Unsigned(8), a, b),
+            Op::SubOverflowsU16 => self.lost(BinaryOp::Subtract, Unsigned(16), a, b),
+            Op::SubOverflowsU32 => self.lost(BinaryOp::Subtract, Unsigned(32), a, b),
+            Op::MulOverflowsI8 => self.lost(BinaryOp::Multiply, Signed(8), a, b),
+            Op::MulOverflowsI16 => self.lost(BinaryOp::Multiply, Signed(16), a, b),
+            Op::MulOverflowsI32 => self.lost(BinaryOp::Multiply, Signed(32), a, b),
+            Op::MulOverflowsU8 => self.lost(BinaryOp::Multiply, Unsigned(8), a, b),
+            Op::MulOverflowsU16 => self.lost(BinaryOp::Multiply, Unsigned(16), a, b),
+            Op::MulOverflowsU32 => self.lost(BinaryOp::Multiply, Unsigned(32), a, b),
             Op::AddOverflowsI64 => { let (a, b) = (self.word(a), self.word(b)); let sum = self.b.ins().iadd(a, b); self.both_differ([a, sum], [b, sum]) }
             Op::SubOverflowsI64 => { let (a, b) = (self.word(a), self.word(b)); let rest = self.b.ins().isub(a, b); self.both_differ([a, b], [a, rest]) }
             Op::AddOverflowsU64 => { let (a, b) = (self.word(a), self.word(b)); let sum = self.b.ins().iadd(a, b); self.compare(IntCC::UnsignedLessThan, Val::Word(sum), Val::Word(a)) }
@@ -259,11 +260,11 @@ impl Translator<'_> {
         }
     }
 
-    fn two(&mut self, two: Two, a: Value, b: Value) -> Value {
+    fn two(&mut self, two: BinaryOp, a: Value, b: Value) -> Value {
         match two {
-            Two::Add => self.b.ins().iadd(a, b),
-            Two::Subtract => self.b.ins().isub(a, b),
-            Two::Multiply => self.b.ins().imul(a, b),
+            BinaryOp::Add => self.b.ins().iadd(a, b),
+            BinaryOp::Subtract => self.b.ins().isub(a, b),
+            BinaryOp::Multiply => self.b.ins().imul(a, b),
         }
     }
 
@@ -277,11 +278,11 @@ impl Translator<'_> {
         self.b.ins().ireduce(I16, value)
     }
 
-    /// Whether a number of 32 bits is made of a product with a constant, in a loop whose turns are written one after the other. Cut to 16
-    /// bits it would be multiplied in a register whose upper half has to be known: that of another variable, which the turn before has to
-    /// end with.
+    /// Whether a number of 32 bits is made of a product with a constant, in a loop whose iterations are written one after the other. Cut to
+    /// 16 bits it would be multiplied in a register whose upper half has to be known: that of another variable, which the iteration before
+    /// has to end with.
     pub(super) fn is_product(&self, value: Value) -> bool {
-        self.in_turns && self.has_product(value, PRODUCT_DEPTH_MAX)
+        self.in_iterations && self.has_product(value, PRODUCT_DEPTH_MAX)
     }
 
     fn has_product(&self, value: Value, depth: u32) -> bool {
@@ -303,7 +304,7 @@ impl Translator<'_> {
         }
     }
 
-    fn wrapped(&mut self, two: Two, bits: u32, a: Val, b: Val) -> Val {
+    fn wrapped(&mut self, two: BinaryOp, bits: u32, a: Val, b: Val) -> Val {
         if let (16, Some(result)) = (bits, self.within_16_bits(two, a, b)) {
             return result;
         }
@@ -324,21 +325,21 @@ impl Translator<'_> {
     }
 
     /// The same of numbers of 16 bits whose ranges say that nothing is cut off: nothing need be put together behind it.
-    fn within_16_bits(&mut self, two: Two, a: Val, b: Val) -> Option<Val> {
+    fn within_16_bits(&mut self, two: BinaryOp, a: Val, b: Val) -> Option<Val> {
         let ((a_least, a_most), (b_least, b_most)) = (self.range_of(a)?, self.range_of(b)?);
         if !self.options.optimize || a_most.max(b_most) > 0xFFFF {
             return None;
         }
         let (two, b, least, most) = match two {
-            Two::Add if a_most + b_most <= 0xFFFF => (two, b, a_least + b_least, a_most + b_most),
+            BinaryOp::Add if a_most + b_most <= 0xFFFF => (two, b, a_least + b_least, a_most + b_most),
             // A constant below 0.
-            Two::Add if b_least == b_most && a_least + b_least > 0xFFFF => {
+            BinaryOp::Add if b_least == b_most && a_least + b_least > 0xFFFF => {
                 let less = 0x1_0000 - b_least;
-                (Two::Subtract, Val::Const(u64::from(less)), a_least - less, a_most - less)
+                (BinaryOp::Subtract, Val::Const(u64::from(less)), a_least - less, a_most - less)
             }
-            Two::Subtract if a_least >= b_most => (two, b, a_least - b_most, a_most - b_least),
-            Two::Multiply if a_most.checked_mul(b_most)? <= 0xFFFF => (two, b, a_least * b_least, a_most * b_most),
-            Two::Add | Two::Subtract | Two::Multiply => return None,
+            BinaryOp::Subtract if a_least >= b_most => (two, b, a_least - b_most, a_most - b_least),
+            BinaryOp::Multiply if a_most.checked_mul(b_most)? <= 0xFFFF => (two, b, a_least * b_least, a_most * b_most),
+            BinaryOp::Add | BinaryOp::Subtract | BinaryOp::Multiply => return None,
         };
         let (a, b) = (self.int(a), self.int(b));
         let result = self.two(two, a, b);
@@ -348,7 +349,7 @@ impl Translator<'_> {
     }
 
     /// Whether a result with at most 32 bits, computed exactly in 64, is not the one that is kept.
-    fn lost(&mut self, two: Two, size: Size, a: Val, b: Val) -> Val {
+    fn lost(&mut self, two: BinaryOp, size: Size, a: Val, b: Val) -> Val {
         let (Size::Signed(bits) | Size::Unsigned(bits)) = size;
         let wide = |translator: &mut Self, value: Val| match size {
             Size::Signed(bits) => {
@@ -575,7 +576,7 @@ impl Translator<'_> {
         Val::Lreal { real, bits: self.b.ins().select(none, nan, bits) }
     }
 
-    /// A REAL or LREAL of which only what lies in front of its point counts: what has cut it before, or made it longer, is not needed.
+    /// A REAL or LREAL of which only what lies before its point counts: what has cut it before, or made it longer, is not needed.
     fn to_be_cut(&self, mut real: Value) -> Value {
         let dfg = &self.b.func.dfg;
         let mut wanted = [Opcode::Trunc, Opcode::Fpromote, Opcode::Trunc].into_iter();

@@ -1,4 +1,4 @@
-//! Values of variables, in the form that costs least.
+//! Values of variables, deferred or in the form that costs least.
 
 use cranelift_codegen::ir::condcodes::{CondCode, IntCC};
 use cranelift_codegen::ir::types::{I32, I64};

@@ -24,7 +24,8 @@ pub(crate) struct Outcome {
 }
 
 impl Outcome {
-    /// Both were asked the same, left the same memory and ended in the same way; registers are for the caller to compare, who knows which count.
+    /// Both were asked the same, left the same memory and ended in the same way; registers are for the caller to compare, who knows which
+    /// count.
     pub(crate) fn assert_ends_as(&self, expected: &Self, what: &dyn Fn() -> String) {
         assert_eq!(self.asked, expected.asked, "{}", what());
         assert_eq!(self.arena.len(), expected.arena.len(), "{}", what());
@@ -115,15 +116,15 @@ pub(crate) fn begin_with_instance(b: &mut Builder, function_block: u16) {
     b.push(Inst::Call { callee: Callee::Block(BlockId::fb(function_block)), parameters: 0 });
 }
 
-/// Ends a block that counts turns: see [`next_turn`].
+/// Ends a block that counts iterations: see [`next_iteration`].
 pub(crate) fn count_on(b: &mut Builder, counter: Place, limit: (Op, u64), first: Target) {
-    next_turn(b, counter, limit, first);
+    next_iteration(b, counter, limit, first);
     b.begin_statement();
     b.push(Inst::Return);
 }
 
-/// The next number, and the first statement of a turn again if that holds, compared with a limit.
-pub(crate) fn next_turn(b: &mut Builder, counter: Place, (op, limit): (Op, u64), first: Target) {
+/// The next number, and the first statement of an iteration again if that holds, compared with a limit.
+pub(crate) fn next_iteration(b: &mut Builder, counter: Place, (op, limit): (Op, u64), first: Target) {
     let (number, one) = (b.load(counter, Width::Word, OnFault::SkipStatement), b.constant(1));
     let next = b.compute(Op::AddU16, &[number, one]);
     b.store(counter, Width::Word, next);
@@ -151,11 +152,11 @@ pub(crate) fn element_at(b: &mut Builder, counter: u32, width: Width) -> Var {
 }
 
 /// `FOR counter := 0 TO last DO … END_FOR`; what is in it begins with statement 1 and says where it ends.
-pub(crate) fn counted(b: &mut Builder, counter: u32, last: u64, turn: impl FnOnce(&mut Builder) -> u32) {
+pub(crate) fn counted(b: &mut Builder, counter: u32, last: u64, iteration: impl FnOnce(&mut Builder) -> u32) {
     b.begin_statement();
     let zero = b.constant(0);
     b.store(fixed(counter), Width::DoubleWord, zero);
-    turn(b);
+    iteration(b);
     b.begin_statement();
     let number = get(b, counter, Width::DoubleWord);
     let one = b.constant(1);
@@ -244,7 +245,8 @@ pub(crate) fn all_engines_agree_from(
     silent
 }
 
-/// The same as [`all_engines_agree`] for a random run of OB 1: beside each engine somebody meddles with the machine whenever it asks, as dice that begin anew tell.
+/// The same as [`all_engines_agree`] for a random run of OB 1: beside each engine somebody meddles with the machine whenever it asks, as
+/// dice that begin again tell.
 pub(crate) fn all_engines_agree_beside<D>(
     engines: &Engines<'_>,
     prepare: &dyn Fn(&mut Machine),
