@@ -383,10 +383,14 @@ impl<'a, 'c> Run<'a, 'c> {
     /// If they do not: only the engine and system functions write these registers.
     pub(crate) fn check_open_blocks(&self) {
         let registers = &self.context.machine.registers;
-        for (base, length) in [(registers.db_base, registers.db_length), (registers.di_base, registers.di_length)] {
-            let end = base.checked_add(length);
-            assert!(end.is_some_and(|end| end <= self.arena_bytes as u64), "an open data block lies inside the arena");
-        }
+        self.check_open_block(registers.db_base, registers.db_length);
+        self.check_open_block(registers.di_base, registers.di_length);
+    }
+
+    /// Makes sure that a data block that is to be open lies inside the arena.
+    pub(crate) fn check_open_block(&self, base: u64, length: u64) {
+        let end = base.checked_add(length);
+        assert!(end.is_some_and(|end| end <= self.arena_bytes as u64), "an open data block lies inside the arena");
     }
 
     /// Takes over what a system function changed in the frames: it may move data blocks that callers have open. Whether nothing changed,

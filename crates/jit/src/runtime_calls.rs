@@ -4,7 +4,7 @@
 //! Machine code names a *site*: the block in the high half, the instruction of its IR in the low half. `try_` functions change nothing when
 //! they fail and return 1; machine code then stores its registers and calls [`failed`], which calls the Host.
 
-use sieben_engine::access::{self, Target};
+use sieben_engine::access::{self, Target, data_registers};
 use sieben_engine::ir::{Callee, DataRegister, Inst, OnFault, Place, TextAction, TextRoom, Var};
 use sieben_engine::machine::{Origin, Register, Registers};
 use sieben_engine::texts::{self, Both, Found, Text};
@@ -72,7 +72,7 @@ asks! {
     BytesDiffer = bytes_differ(a, b, count);
     /// Runs an intrinsic; the result is in `run.value`.
     TryIntrinsic = try_intrinsic(site, a, b, c);
-    /// Opens a data block; its registers are those of the machine.
+    /// Finds a data block to open: its first byte in the low half of the value, its length in the high half.
     TryOpen = try_open(site, number);
     /// Asks the Host about what failed.
     Failed = failed(link, site);
@@ -528,8 +528,10 @@ extern "C" fn try_open(run: &mut Run<'_, '_>, site: u64, number: u64) -> u64 {
     let mut registers = run.context.machine.registers.to_words();
     match access::open(run.context.machine, &mut registers, register, number) {
         Ok(()) => {
-            access::store_file(run.context.machine, &registers);
-            run.check_open_blocks();
+            // The registers of the machine stay as they are: what a caller has open there may be stored by nothing any more.
+            let [_, base, length] = data_registers(register).map(|register| registers[register as usize]);
+            run.check_open_block(base, length);
+            run.value = base | length << 32;
             0
         }
         Err(fault) => run.note(fault),

@@ -142,6 +142,48 @@ fn what_has_no_room_for_its_local_data_fails_at_its_call() {
     }
 }
 
+/// The code of the caller counts on the data block that is open there.
+#[test]
+fn a_new_data_block_is_open_only_in_the_block_that_opens_it() {
+    let calls = |b: &mut Builder| {
+        b.begin_statement();
+        b.push(Inst::Call { callee: Callee::Block(BlockId::fc(1)), parameters: 0 });
+        b.begin_statement();
+        b.push(Inst::Return);
+    };
+    let opens = |b: &mut Builder| {
+        b.begin_statement();
+        let number = b.load(Place::Fixed { area: Area::BitMemory, position: 0 }, Width::Word, OnFault::SkipStatement);
+        b.push(Inst::Open { register: DataRegister::Instance, number });
+        b.begin_statement();
+        b.push(Inst::Return);
+    };
+    let makes = |b: &mut Builder| {
+        call(b, sfc(22));
+        b.begin_statement();
+        b.push(Inst::Return);
+    };
+    let program = program(&[(BlockId::ob(1), 20, &calls), (BlockId::ob(40), 20, &makes), (BlockId::fc(1), 0, &opens)]);
+    let layout = layout(&program);
+    let entry = Entry { block: BlockId::ob(1), start_information: [7; 20], registers: None };
+    let answer = |machine: &mut Machine, what: &str, asked: usize| {
+        if what == "SFC 22" {
+            let base = machine.memory.layout.data_blocks[&1].start as u32;
+            machine.memory.data_blocks.resize(10, None);
+            machine.memory.data_blocks[9] = Some(DataBlockEntry { base, length: 16, read_only: true });
+            let start = machine.memory.layout.bit_memory.start;
+            machine.memory.arena[start + 1] = 9;
+        }
+        machine.budget = if asked < 8 { 1 } else { 100 };
+        if asked < 8 && asked % 3 == 0 { enter(40) } else { Reaction::Continue }
+    };
+    for status in [StatusBits::All, StatusBits::Needed] {
+        let native = Jit::compiled(&program, &layout, status).expect("machine code");
+        let ended = run(&*native, &layout, &entry, &|machine| machine.budget = 0, &answer);
+        assert_eq!((ended.exit, ended.registers.di_number), (Exit::Finished, 0), "{status:?}");
+    }
+}
+
 #[test]
 fn an_interrupt_right_behind_a_deleted_data_block_misses_it() {
     let outcome = both(

@@ -48,8 +48,9 @@ impl Translator<'_> {
         let before = self.cold.replace(slow);
         let site = self.site(index);
         let failed = self.ask(RuntimeCall::TryOpen, &[site, number]);
-        let memory = self.registers_in_memory();
-        let found = [1, 2].map(|at| self.b.ins().load(I64, TRUSTED, memory, registers[at].offset() as i32));
+        let found = self.load_run(offset_of!(Run<'_, '_>, value));
+        let low = self.b.ins().ireduce(I32, found);
+        let found = [self.b.ins().uextend(I64, low), self.b.ins().ushr_imm_u(found, 32)];
         let failing = self.cold_block();
         self.b.ins().brif(failed, failing, &[], go_on, &found.map(BlockArg::Value));
         self.cold_path(failing, RuntimeCall::Failed, &[self.link, site], Continuation::NextStatement);
