@@ -4,6 +4,7 @@ use sieben_engine::ir::{Inst, Op, Place, Var};
 use sieben_model::address::Width;
 
 use super::Translator;
+use crate::passes::Pass;
 
 /// Instructions after a load that are searched for a use of its result.
 const USES_MAX: u32 = 96;
@@ -11,6 +12,9 @@ const USES_MAX: u32 = 96;
 impl Translator<'_> {
     /// Whether a load cannot fail and its result is not used, because a select that would take it has been decided.
     pub(super) fn is_dead_load(&mut self, index: u32, dst: Var, (place, width): (Place, Width)) -> bool {
+        if !self.options.passes.has(Pass::DeadLoadElimination) {
+            return false;
+        }
         let is_in_bounds = self.ranges.inside(index).is_some() || self.constant_address(place, width).is_some();
         if !self.options.optimize || !is_in_bounds || dst.register().is_some() {
             return false;
