@@ -49,7 +49,6 @@ passes! {
     BitCountIdiom "bit-count-idiom" ["translate/loop_optimizer/bit_count_idiom.rs"] "Loops that count bits or combine arrays of them take 56 at a time."
     BitInterleaving "bit-interleaving" ["translate/loop_optimizer/bit_interleaving.rs"] "Eight iterations make one byte of bits."
     BracketPromotion "bracket-promotion" ["translate/bracket_promotion.rs"] "The nesting stack is known statically and stays in registers."
-    DeadLoadElimination "dead-load-elimination" ["translate/dead_loads.rs"] "Loads in bounds whose results no instruction uses are left out."
     DivisionByConstants "division-by-constants" ["translate/division_by_constants.rs"] "Divisions by constants are multiplications."
     GatheredBits "gathered-bits" ["translate/loop_optimizer/gathered_bits.rs"] "Rows of bits and computed addresses in four lanes."
     IfConversion "if-conversion" ["translate/if_conversion.rs"] "Short branches become selects."

@@ -29,7 +29,6 @@ mod bounds_checks;
 mod bracket_promotion;
 mod calls;
 mod congruence;
-mod dead_loads;
 mod decimal;
 mod dereferenceable;
 mod division_by_constants;
@@ -860,7 +859,6 @@ impl<'a> Translator<'a> {
                 self.set(dst, Val::Const(value));
             }
             Inst::Load { .. } | Inst::Store { .. } if self.access_instance(index, inst) => {}
-            Inst::Load { dst, place, width, .. } if self.is_dead_load(index, dst, (place, width)) => {}
             Inst::Load { dst, place, width, on_fault } => self.load(index, dst, place, width, on_fault),
             Inst::Store { place, width, src } => {
                 let value = self.get(src);

@@ -109,27 +109,6 @@ fn bits_of_other_elements_are_written_where_the_program_writes_them() {
     assert_eq!(stores(&[(0, 0), (1, 0), (0, 1)]), 3);
 }
 
-/// How many numbers of 16 bits a loop loads that writes one to an element, as it is if the index is looked at, whose range is known.
-fn loads(looked_at: bool) -> usize {
-    let build = |b: &mut Builder| {
-        looping(b, 12, 1, &mut |b, _| {
-            let place = field(b, 0, 16);
-            let mut value = b.constant(7);
-            if looked_at {
-                let counter = b.load(index(0), Width::Word, OnFault::SkipStatement);
-                let limit = b.constant(20);
-                let inside = b.compute(Op::Below, &[counter, limit]);
-                b.push(Inst::Require { condition: inside, code: 163, register: counter });
-                let old = b.load(place, Width::Word, OnFault::SkipStatement);
-                value = b.compute(Op::Select, &[inside, value, old]);
-            }
-            b.store(place, Width::Word, value);
-        });
-    };
-    let program = program(&[(BlockId::ob(1), 16, &build)]);
-    Jit::listing(&program, &layout_with(&program, DATA_BYTES)).expect("machine code").matches("= load.i16").count()
-}
-
 #[test]
 fn an_element_at_a_known_index_is_a_variable_like_others() {
     let build = |b: &mut Builder| {
@@ -148,11 +127,6 @@ fn an_element_at_a_known_index_is_a_variable_like_others() {
     // Both are kept in registers: an iteration begins with the jump table behind the sum, and touches no memory.
     let iteration = listing.split("\nblock").find(|block| block.contains("br_table")).expect("an iteration");
     assert!(!iteration.contains("load") && !iteration.contains("store"), "{iteration}");
-}
-
-#[test]
-fn an_element_that_is_written_is_not_read_if_its_index_is_known_to_be_inside() {
-    assert_eq!(loads(true), loads(false));
 }
 
 /// How often a loop masks the position of a pointer to an element that one of its statements keeps in local data for the next one, or that
