@@ -175,7 +175,7 @@ fn a_new_data_block_is_open_only_in_the_block_that_opens_it() {
             machine.memory.arena[start + 1] = 9;
         }
         machine.budget = if asked < 8 { 1 } else { 100 };
-        if asked < 8 && asked % 3 == 0 { enter(40) } else { Reaction::Continue }
+        if asked < 8 && asked.is_multiple_of(3) { enter(40) } else { Reaction::Continue }
     };
     for status in [StatusBits::All, StatusBits::Needed] {
         let native = Jit::compiled(&program, &layout, status).expect("machine code");
