@@ -79,11 +79,15 @@ fn end(b: &mut Builder) {
 
 /// A random statement, from where jumps go to one of these.
 fn statement(b: &mut Builder, dice: &mut Dice, targets: &[u32]) {
-    match dice.roll(9) {
-        0..=3 => call(b, BlockId::fc(1 + dice.roll(u64::from(ENTERED)) as u16)),
-        4 => write_data(b, dice.of(&[1, 4, 9])),
-        5 => count(b, dice.of(&[4, 6])),
-        6 => open(b, dice.of(&[1, 2])),
+    match dice.roll(11) {
+        0..=4 => call(b, BlockId::fc(1 + dice.roll(u64::from(ENTERED)) as u16)),
+        5 => write_data(b, dice.of(&[1, 4, 9])),
+        6 => count(b, dice.of(&[4, 6])),
+        7 => open(b, dice.of(&[1, 2])),
+        // It does nothing, and may be the first one of the loop.
+        8 => {
+            b.begin_statement();
+        }
         _ => {
             let (to, byte) = (dice.of(targets), dice.of(&[INDEX, 4]));
             jump(b, byte, dice.roll(4), to);
@@ -208,6 +212,46 @@ fn what_the_interpreter_does_in_between_changes_nothing_on_any_engine() {
         finished += usize::from(outcome.exit == Exit::Finished);
     }
     assert!(asked > 1_200 && finished > 260, "{asked} questions, {finished} runs to the end");
+}
+
+/// Behind the piece the loop is entered at its first statement, though that does nothing and the interpreter names the one after it.
+#[test]
+fn a_piece_before_a_loop_that_begins_with_nothing() {
+    let function = |b: &mut Builder| {
+        open(b, 1);
+        begin_count(b);
+        call(b, BlockId::fc(1));
+        let head = b.begin_statement().0;
+        count(b, INDEX);
+        call(b, BlockId::fc(1));
+        jump(b, INDEX, 9, head);
+        // In a long function the address of memory is read again where paths meet.
+        (0..150).for_each(|number| count(b, 20 + 2 * number));
+        call_itself_never(b);
+        end(b);
+    };
+    let main = |b: &mut Builder| {
+        call(b, BlockId::fc(LOOPS));
+        end(b);
+    };
+    let entered = |b: &mut Builder| {
+        write_data(b, 1);
+        count(b, 6);
+        end(b);
+    };
+    let program =
+        program(&[(BlockId::ob(1), 20, &main), (BlockId::fc(LOOPS), LOCAL_BYTES, &function), (BlockId::fc(1), LOCAL_BYTES, &entered)]);
+    let layout = layout(&program);
+    let entry = Entry { block: BlockId::ob(1), start_information: [7; 20], registers: None };
+    for budget in 0..40 {
+        let outcome = |engine: Arc<dyn Engine>| {
+            run(&*engine, &layout, &entry, &|machine| machine.budget = budget, &|machine, _, _| {
+                machine.budget = 3;
+                Reaction::Continue
+            })
+        };
+        all_engines_agree(&engines(&program, &layout), true, &outcome, &|| format!("budget {budget}"));
+    }
 }
 
 /// The pieces that are handed over in a function with such statements, as their first and last statement.

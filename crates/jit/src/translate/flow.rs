@@ -123,10 +123,6 @@ impl Translator<'_> {
         self.arrivals.get(&to).filter(|it| begins && it.again == Some(arrival)).map_or(arrival, |it| it.block)
     }
 
-    pub(super) fn first_with_code(&self, statement: u32) -> u32 {
-        self.first_with_code_in(self.index, statement)
-    }
-
     /// The number in the program of the first statement, from one on, that does something.
     pub(super) fn first_named(&self, statement: u32) -> u32 {
         self.first_named_in(self.index, statement)

@@ -97,7 +97,7 @@ fn instruction_set(level: &str, algorithm: &str, machine: Target) -> Result<Owne
     // Frames have a limit below, so that nobody has to look for the end of the stack.
     set(&mut flags, "enable_probestack", "false")?;
     let verified = match machine {
-        Target::This => false,
+        Target::This => cfg!(debug_assertions),
         #[cfg(target_arch = "x86_64")]
         Target::Counted => false,
         #[cfg(feature = "aarch64")]

@@ -257,8 +257,9 @@ impl Translator<'_> {
             self.b.seal_block(elsewhere);
         }
         let [behind, nowhere] = [(); 2].map(|()| self.cold_block());
-        let end = self.first_with_code(piece.last + 1);
-        let named = self.native().named(end);
+        // What does nothing is passed by the interpreter, and may be the first statement of a loop.
+        let end = piece.last + 1;
+        let named = self.first_named(end);
         let is_behind = self.b.ins().icmp_imm_u(IntCC::Equal, statement, i64::from(named));
         self.b.ins().brif(is_behind, behind, &[], nowhere, &[]);
         self.b.switch_to_block(nowhere);
