@@ -22,12 +22,13 @@ pub use targets::{TARGETS, Target};
 
 /// An input that takes more CPU time is a hang. Inputs are at most [`mutator::INPUT_BYTES_MAX`] bytes long and take milliseconds.
 const HANG: Duration = Duration::from_secs(10);
-/// The same where an input is compiled for several engines: blocks that call one another become functions of a million instructions.
-const HANG_OF_COMPILERS: Duration = Duration::from_secs(60);
+/// The same where an input is compiled four times: blocks that call one another become functions of millions of instructions, and a program
+/// built to hurt a compiler has a minute in the tests, too.
+const HANG_OF_COMPILERS: Duration = Duration::from_secs(4 * 60);
 /// Targets that compile their inputs for several engines.
 const COMPILERS: [&str; 2] = ["engines", "trees"];
 /// So is one that takes longer by the clock, for it waits for something. On a busy machine an input waits for the processor, too.
-const WAITS: Duration = Duration::from_secs(100);
+const WAITS: Duration = Duration::from_secs(400);
 /// How often the parent looks at the child.
 const POLL: Duration = Duration::from_millis(20);
 /// Stack of the thread that runs a target: the same as a program's main thread has on Linux.
