@@ -67,10 +67,10 @@ passes! {
     PredictiveCommoning "predictive-commoning" ["translate/loop_optimizer/predictive_commoning.rs"] "What the next iteration reads is handed on to it."
     RangeAnalysis "range-analysis" ["translate/range_analysis.rs", "translate/range_analysis/access.rs", "translate/range_analysis/calls.rs", "translate/range_analysis/interval.rs", "translate/range_analysis/places.rs", "translate/range_analysis/statements.rs", "translate/congruence.rs"] "Ranges of numbers make checks of indexes needless."
     Reassociation "reassociation" ["translate/loop_optimizer/reassociation.rs"] "Sums in several steps are one reduction."
-    RegionExit "region-exit" ["translate/region_exits.rs"] "One look at the budget serves a region, which the interpreter does otherwise."
-    SafepointCoalescing "safepoint-coalescing" ["translate/safepoint_coalescing.rs"] "One look at the budget serves several blocks."
+    RegionExit "region-exit" ["translate/region_exits.rs"] "One check of the budget serves a region, which the interpreter does otherwise."
+    SafepointCoalescing "safepoint-coalescing" ["translate/safepoint_coalescing.rs"] "One check of the budget serves several blocks."
     ScalarPromotion "scalar-promotion" ["translate/scalar_promotion.rs"] "Variables of a loop stay in registers."
-    SlpCalls "slp-calls" ["translate/slp_calls.rs", "translate/loop_optimizer/slp_calls.rs"] "Calls of one block with instances in a row are iterations side by side."
+    SlpCalls "slp-calls" ["translate/slp_calls.rs", "translate/loop_optimizer/slp_calls.rs"] "Calls of one block with consecutive instances are vectorized iterations."
     SparseIterations "sparse-iterations" ["translate/loop_optimizer/sparse_iterations.rs"] "Iterations that do nothing are passed over by their bits."
     Specialization "specialization" ["translate/specialization.rs"] "A block is compiled for the instance it is called with."
     StackLifetimes "stack-lifetimes" ["stack_lifetimes.rs"] "Local data that nothing reads any more is not written."
@@ -78,7 +78,7 @@ passes! {
     StringLengths "string-lengths" ["translate/string_lengths.rs"] "Lengths of strings stay in registers in loops."
     StructCopies "struct-copies" ["translate/loop_optimizer/structure_copies.rs", "translate/loop_optimizer/structure_fields.rs"] "Loops copy structures."
     SymbolicSummaries "symbolic-summaries" ["translate/symbolic_summaries.rs"] "Summaries hold for any instance."
-    Unrolling "unrolling" ["unrolling.rs", "translate/unrolling.rs"] "Loops of few iterations are written out."
+    Unrolling "unrolling" ["unrolling.rs", "translate/unrolling.rs"] "Loops of few iterations are unrolled."
     Vectorization "vectorization" ["translate/loop_optimizer/vectorization.rs", "translate/loop_optimizer/wide_lanes.rs", "translate/loop_optimizer/masks.rs", "translate/loop_optimizer/vector_division.rs", "translate/loop_optimizer/strided_access.rs"] "Iterations are done in lanes of vectors."
 }
 
