@@ -48,6 +48,8 @@ test('9, 10, 12: inputs are pressed and switched, the program answers', async ({
 test('11: LITRES begins at 25 and counts down', async ({ page }) => {
   await open(page);
   const cell = id(page, 'stl-row-29').locator('td.num').first();
+  // Its value before the dose has come.
+  await expect(cell).toHaveText('0');
   const seen = await cell.evaluateHandle((node) => {
     const seen: [number, string][] = [];
     new MutationObserver(() => seen.push([performance.now(), node.textContent ?? ''])).observe(node, { characterData: true, childList: true, subtree: true });
