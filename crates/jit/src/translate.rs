@@ -257,7 +257,7 @@ struct Translator<'a> {
     verifying: FxHashMap<clif::Block, clif::Block>,
     /// Those that are still to be written, and for which statement.
     verify_later: Vec<(clif::Block, u32, clif::Block, Option<usize>)>,
-    /// Loops of the present block before which iterations are written that nobody looks at: first and last statement.
+    /// Loops of the present block that have a fast version before them: first and last statement.
     at_once: Vec<(u32, u32)>,
     /// How many there are in the function, with those of all blocks that became part of it.
     loops_at_once: usize,

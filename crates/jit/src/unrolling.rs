@@ -256,7 +256,7 @@ fn works_with_variables(code: &Code, statements: &Range<u32>) -> bool {
     statements.clone().all(|statement| code.statement(statement as usize).iter().all(is_variable))
 }
 
-/// Whether nobody jumps into a loop, and it calls nobody. What pointers in memory lead to is found once for all iterations of a loop that
+/// Whether no jump enters a loop, and it calls no block. What pointers in memory lead to is found once for all iterations of a loop that
 /// is not written out.
 fn is_entered_at_its_beginning(code: &Code, statements: &Range<u32>) -> bool {
     let calls = |inst: &Inst| match inst {

@@ -128,7 +128,7 @@ impl Translator<'_> {
         is_other.then_some(Arms::OrOther)
     }
 
-    /// What a statement writes that is plain and that nobody enters but from the one before it, or the branch that is looked at.
+    /// What a statement writes that is plain and that is entered only from the one before it, or the branch that is looked at.
     fn written_by_plain(&self, statement: u32) -> Option<(Place, Width)> {
         if self.is_entered(statement) || !self.is_plain(statement) {
             return None;

@@ -523,7 +523,7 @@ impl Translator<'_> {
         Val::Real { real, bits: self.b.ins().select(none, nan, bits) }
     }
 
-    /// Bits that were made of those of a value, and the REAL that is made of it in the same way, if it is one: nobody waits for the bits
+    /// Bits that were made of those of a value, and the REAL that is made of it in the same way, if it is one: nothing waits for the bits
     /// then.
     fn with_real(&mut self, of: Val, bits: Value, make: impl FnOnce(&mut FunctionBuilder<'_>, Value) -> Value) -> Val {
         match of {

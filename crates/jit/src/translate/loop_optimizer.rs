@@ -149,7 +149,7 @@ impl Translator<'_> {
         self.loops_at_once += 1;
     }
 
-    /// Writes versions of a loop whose iterations nobody looks at, before it. What is given back are iterations that do nothing, if
+    /// Writes fast versions of a loop, before it. What is given back are iterations that do nothing, if
     /// the loop as it stands passes them: where most of them do nothing, that is faster.
     pub(super) fn iterations_at_once(&mut self, it: &NaturalLoop) -> Option<Idle> {
         self.write_at_once(it).or_else(|| {

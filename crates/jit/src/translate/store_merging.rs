@@ -25,7 +25,7 @@ use super::value::Val;
 
 /// Pieces whose new bits wait for their store. More would keep registers that the logic needs.
 const WAITING_MAX: usize = 4;
-/// Pieces whose value is remembered; a value that nobody reads again costs nothing.
+/// Pieces whose value is remembered; a value that is not read again costs nothing.
 const KNOWN_MAX: usize = 12;
 /// Bits of a piece whose values are remembered by themselves. More would keep registers that the logic needs.
 const RECENT: usize = 8;

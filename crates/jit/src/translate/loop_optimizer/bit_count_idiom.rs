@@ -99,7 +99,7 @@ fn is_bits(kernel: &Kernel, node: Node) -> bool {
 }
 
 impl Translator<'_> {
-    /// Writes iterations of a loop that counts or writes bits, as many as make whole pieces and as nobody asks about.
+    /// Writes iterations of a loop that counts or writes bits, as many as make whole pieces and as the budget covers.
     pub(super) fn bit_sums_at_once(&mut self, plan: &LoopPlan, sums: &BitCount, it: &NaturalLoop) {
         self.settle_bytes();
         let kernel = &plan.kernel;

@@ -216,7 +216,7 @@ fn is_eight_times(kernel: &Kernel, node: Node, follows: &dyn Fn(Node) -> bool, u
 }
 
 impl Translator<'_> {
-    /// Writes iterations of a loop that writes bits, as many as there are and as nobody asks about, and goes on where more iterations may
+    /// Writes iterations of a loop that writes bits, as many as there are and as the budget covers, and goes on where more iterations may
     /// follow.
     pub(super) fn bits_at_once(&mut self, kernel: &Kernel, bits: &BitFill, it: &NaturalLoop) {
         self.settle_bytes();

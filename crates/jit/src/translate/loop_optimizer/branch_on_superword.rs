@@ -346,7 +346,7 @@ impl Kernel {
         }
     }
 
-    /// What is written as it was read is not written, if nobody wrote there between.
+    /// What is written as it was read is not written, if nothing wrote there in between.
     fn forget_what_stays(&mut self) {
         let steps: Vec<usize> = self
             .outer

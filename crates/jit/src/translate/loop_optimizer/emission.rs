@@ -76,7 +76,7 @@ pub(super) struct Emitter<'t, 'a, 'k> {
 }
 
 impl<'t, 'a, 'k> Emitter<'t, 'a, 'k> {
-    /// Writes iterations, as many as there are and as nobody asks about, and goes on where more iterations may follow. Goes to the
+    /// Writes iterations, as many as there are and as the budget covers, and goes on where more iterations may follow. Goes to the
     /// statement behind the loop if there are none.
     pub(super) fn write(t: &'t mut Translator<'a>, plan: &'k LoopPlan, it: &NaturalLoop, writes: VersionPlan<'k>) {
         Self::new(t, plan, writes).version(it);

@@ -658,7 +658,7 @@ impl Translator<'_> {
         Some(FieldVector::Lanes(self.b.ins().bitcast(I32X4, little(), words)))
     }
 
-    /// 32 bits of each iteration, so many bytes further on; nobody needs what comes from outside them.
+    /// 32 bits of each iteration, so many bytes further on; nothing uses what comes from outside them.
     fn moved_column(&mut self, vector: Value, by: i32) -> Value {
         if by == 0 {
             return vector;

@@ -299,7 +299,7 @@ impl Translator<'_> {
         few
     }
 
-    /// Passes iterations that do nothing but count, as many as are seen to be such from here and as nobody asks about.
+    /// Passes iterations that do nothing but count, as many as are seen to be such from here and as the budget covers.
     pub(in super::super) fn pass_idle_iterations(&mut self, idle: &Idle) {
         debug_assert_eq!(self.taken, 0);
         let (kernel, looks) = (&idle.kernel, idle.looks);

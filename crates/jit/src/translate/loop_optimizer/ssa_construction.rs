@@ -710,7 +710,7 @@ impl SsaBuilder<'_, '_> {
         self.now.insert(slot, value);
     }
 
-    /// What is chosen between a value and what a slot held before: of a variable to which each branch of a CASE writes nobody needs what it
+    /// What is chosen between a value and what a slot held before: of a variable to which each branch of a CASE writes nothing uses what it
     /// held when the iteration began, which only a look at choices in choices shows.
     fn without_start(&mut self, slot: Slot, (value, before): (Node, Node), chosen: Node) -> Node {
         let Some(&start) = self.numbers.get(&Definition::Start(self.level, slot)) else { return chosen };

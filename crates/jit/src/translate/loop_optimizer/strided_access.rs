@@ -114,7 +114,7 @@ impl Kernel {
         own.may_share(other) && !self.stay_apart(own, other, -ITERATIONS_MAX..=ITERATIONS_MAX)
     }
 
-    /// Whether no iteration writes what iterations read with an access, and nobody needs it behind them: others may have written it then.
+    /// Whether no iteration writes what iterations read with an access, and nothing uses it after them: others may have written it then.
     pub(super) fn is_only_read(&self, number: usize) -> bool {
         let mut left = BTreeSet::new();
         self.all_ends().for_each(|end| self.rests(end, &mut left));

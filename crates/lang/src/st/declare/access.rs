@@ -134,7 +134,7 @@ impl Resolver<'_, '_> {
         None
     }
 
-    /// Says once in a program that a variable whose address nobody tells is memory.
+    /// Says once in a program that a variable without an address is memory.
     pub(super) fn is_memory(&mut self, span: Span) {
         if !std::mem::replace(&mut self.types.known.unlinked, true) {
             let message = "no VAR_CONFIG tells this address: the variable is memory of its own";

@@ -131,8 +131,8 @@ impl SsaBuilder<'_, '_> {
         Some(())
     }
 
-    /// Forgets the local data of a block that has ended, if nobody reads what it left there; `None` if some of it is read otherwise than it
-    /// is written.
+    /// Forgets the local data of a block that has ended, if nothing reads what it left there; `None` if some of it is read otherwise than
+    /// it is written.
     fn forget_locals(&mut self) -> Option<()> {
         let t = &*self.translator;
         if !t.options.forgets_locals {

@@ -91,7 +91,7 @@ impl SsaBuilder<'_, '_> {
         self.beyond.join(ways)
     }
 
-    /// Where nobody comes from, it does not matter what is there: ways on which some iterations go on are fewer then, perhaps.
+    /// Where no path comes from, it does not matter what is there: ways on which some iterations go on are fewer then, perhaps.
     pub(super) fn join_beyond(&mut self) {
         if self.beyond.is_never() || self.ways.is_always() {
             return;
