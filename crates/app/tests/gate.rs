@@ -353,12 +353,13 @@ fn who_comes_before_the_start_waits_for_it() {
     plant.switch_on(Restart::Warm);
     let begin = Instant::now();
     let gate = Gate::new(plant, Box::new(move || begin.elapsed().as_micros() as u64));
-    gate.prepare(|plant| assert_eq!(plant.cpu.mode(), OperatingMode::Stop));
     let (desk, around) = (Desk::default(), Around::default());
     std::thread::scope(|scope| {
         let early = scope.spawn(|| gate.look(|plant| (plant.cpu.mode(), plant.scans > 0)));
         // Time for it to come to the gate; if it comes later, it finds the same.
         std::thread::sleep(Duration::from_millis(30));
+        // The thread that prepares the run waits neither for the start nor for one who does.
+        assert_eq!(gate.enter(|plant| plant.cpu.mode()), Ok(OperatingMode::Stop));
         let scans = scope.spawn(|| {
             let mut surroundings = &around;
             Driver::new(&gate, &desk, &mut surroundings).go_on()

@@ -7,6 +7,7 @@
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicBool, AtomicU32, AtomicU64, Ordering};
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
+use std::thread::{self, ThreadId};
 use std::time::Duration;
 
 use sieben_cpu::{AccessError, Cpu, OperatingMode, Requester, Restart, Station, StopRequest};
@@ -189,6 +190,8 @@ pub struct Gate {
     closed: AtomicBool,
     /// The CPU is switched on, and its start is still to come.
     before_start: AtomicBool,
+    /// The thread that made the gate and prepares the run: it does not wait for the start, which it leads to itself.
+    made_by: ThreadId,
     /// OB 90 runs, which is interrupted for every thread that wants in.
     background: AtomicBool,
     requests: StopRequest,
@@ -221,11 +224,13 @@ impl Drop for Counted<'_> {
 }
 
 impl Gate {
-    /// A gate before a plant. The clock is the computer's. If the plant is switched on, all others come in after its start.
+    /// A gate before a plant. The clock is the computer's. If the plant is switched on, all other threads come in after its
+    /// start.
     pub fn new(plant: Plant, clock: Clock) -> Self {
         Self {
             requests: plant.cpu.stop_request(),
             before_start: AtomicBool::new(plant.power_on.is_some()),
+            made_by: thread::current().id(),
             plant: Mutex::new(plant),
             queue: Mutex::default(),
             clock,
@@ -246,11 +251,6 @@ impl Gate {
     /// What the computer's clock shows, in microseconds.
     pub fn now_us(&self) -> u64 {
         (self.clock)()
-    }
-
-    /// Comes in before the run begins, as the thread that will scan.
-    pub fn prepare<R>(&self, work: impl FnOnce(&mut Plant) -> R) -> R {
-        work(&mut lock(&self.plant))
     }
 
     /// Comes in between two scans to change something. The work has to be short: [`PORTION_US`], or [`PORTION_JOBS`] jobs.
@@ -277,6 +277,9 @@ impl Gate {
     /// # Errors
     /// The run is over.
     pub fn serve<R>(&self, work: impl FnOnce(&mut Plant) -> R) -> Result<R, Closed> {
+        if self.before_start.load(Ordering::Acquire) && thread::current().id() == self.made_by {
+            return Ok(work(&mut lock(&self.plant)));
+        }
         let _waiting = Counted::at(&self.waiting);
         let _first = lock(&self.queue);
         if self.background.load(Ordering::Acquire) {

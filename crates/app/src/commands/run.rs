@@ -241,7 +241,7 @@ pub(crate) fn run_as(verb: Verb, mut arguments: RunArguments) -> Result<Exit, Fa
     }
     if let Some(page) = page.as_ref().filter(|_| !arguments.json) {
         match shown {
-            Shown::Screen => gate.prepare(|plant| desk.observed.note(plant, page.text().trim_end())),
+            Shown::Screen => drop(gate.enter(|plant| desk.observed.note(plant, page.text().trim_end()))),
             _ => output::message(&page.text()),
         }
     }

@@ -98,6 +98,7 @@ impl Demo {
         // A demo that ends by itself is one of this plant.
         let ends = plant.pace.end_us != u64::MAX;
         plant.stay_in_stop();
+        plant.switch_on(Restart::Warm);
         let gate = Arc::new(Gate::new(plant, clock));
         let choice = match Example::by_name(EXAMPLE) {
             Some(example) if !ends => Choice::Examples(example),
@@ -119,7 +120,7 @@ impl Demo {
     /// Starts the CPU and scans until the time is up or [`Self::end`]; `print` gets a line for each change after the scan that made it. Then the
     /// gate is closed.
     pub(crate) fn scan<'s>(&'s self, print: Option<Print<'s>>) {
-        Driver::new(&self.gate, &self.desk, &mut Around::new(self, print)).run(Restart::Warm);
+        Driver::new(&self.gate, &self.desk, &mut Around::new(self, print)).go_on();
         self.gate.close();
     }
 
@@ -208,7 +209,12 @@ impl Surroundings for Around<'_> {
 /// The demo in virtual time, scan by scan.
 #[cfg(test)]
 mod tests {
-    use sieben_cpu::OperatingMode;
+    use std::thread;
+
+    use sieben_cpu::{OperatingMode, Station};
+    use sieben_model::address::Area;
+    use sieben_model::item::Item;
+    use sieben_model::value::Value;
     use sieben_sim::wrap::{self, Fault};
     use sieben_workspace::End;
     use sieben_workspace::observed::{ENTRIES_MAX, Entry};
@@ -242,7 +248,7 @@ mod tests {
             pace.pause(0);
             let demo = Self::with(pace, Box::new(|| 0));
             demo.desk.observed.look(0, || watched(&demo.facts.facts()), 0);
-            demo.drive(0, |driver| driver.run(Restart::Warm));
+            demo.drive(0, |driver| driver.go_on());
             demo
         }
 
@@ -354,6 +360,22 @@ mod tests {
         demo.story.is_on.store(false, Ordering::Relaxed);
         demo.seconds(60);
         assert_eq!(demo.notes().iter().filter(|note| note.contains("presses")).count(), 1);
+    }
+
+    #[test]
+    fn who_comes_before_the_first_scan_waits_for_it() {
+        let demo = Demo::new(Speed::Factor(1.0), None);
+        let stop = Item::area(Area::Input, 0, 1);
+        thread::scope(|scope| {
+            let early =
+                scope.spawn(|| demo.gate.look(|plant| (plant.scans > 0, plant.cpu.read_items(std::slice::from_ref(&stop)).remove(0))));
+            // Time for it to come to the gate; if it comes later, it finds the same.
+            thread::sleep(Duration::from_millis(30));
+            scope.spawn(|| demo.scan(None));
+            let seen = early.join().expect("it comes in");
+            demo.end();
+            assert_eq!(seen, Ok((true, Ok(Value::bytes([2])))), "STOP is a contact that opens");
+        });
     }
 
     #[test]

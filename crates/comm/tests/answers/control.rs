@@ -108,10 +108,10 @@ fn ends(gate: &Gate, around: &mut sieben_comm::s7comm::answer::Surroundings, job
 
 #[test]
 fn a_cpu_that_is_switched_on_is_stopped_before_its_first_scan() {
-    let Station { plant, mut around } = Station::new();
+    let Station { mut plant, mut around } = Station::new();
+    plant.switch_on(Restart::Warm);
     let begin = Instant::now();
     let gate = Arc::new(Gate::new(plant, Box::new(move || begin.elapsed().as_micros() as u64)));
-    gate.prepare(|plant| plant.switch_on(Restart::Warm));
     let (over, desk) = (Around::default(), Desk::default());
     let by = Requester::default();
     assert!(matches!(ends(&gate, &mut around, &Job::Stop, by), Reply::Done));
