@@ -50,6 +50,7 @@ for (const [name, size, query] of [
       const cut = await page.evaluate(() => {
         const out: string[] = [];
         if (document.documentElement.scrollWidth > innerWidth) out.push(`the page scrolls: ${document.documentElement.scrollWidth}`);
+        if (document.documentElement.scrollHeight > innerHeight) out.push(`the page scrolls down: ${document.documentElement.scrollHeight}`);
         for (const node of document.querySelectorAll<HTMLElement>('.top button, .strip [data-testid=connection], .ph button, .time button')) {
           const box = node.getBoundingClientRect();
           if (box.width === 0 || getComputedStyle(node).visibility === 'hidden') continue;
