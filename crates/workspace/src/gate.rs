@@ -277,7 +277,7 @@ impl Gate {
     /// # Errors
     /// The run is over.
     pub fn serve<R>(&self, work: impl FnOnce(&mut Plant) -> R) -> Result<R, Closed> {
-        if self.before_start.load(Ordering::Acquire) && thread::current().id() == self.made_by {
+        if self.is_prepared_here() {
             return Ok(work(&mut lock(&self.plant)));
         }
         let _waiting = Counted::at(&self.waiting);
@@ -376,6 +376,11 @@ impl Gate {
     /// Whether the run is over.
     pub fn is_closed(&self) -> bool {
         self.closed.load(Ordering::Acquire)
+    }
+
+    /// Whether the run has not begun, and this thread prepares it.
+    fn is_prepared_here(&self) -> bool {
+        self.before_start.load(Ordering::Acquire) && !self.is_closed() && thread::current().id() == self.made_by
     }
 
     /// Waits while the scan is inside or near, and for the start of a run that has not begun.
